@@ -1,0 +1,2 @@
+//! The netcast command.
+fn main() {}
