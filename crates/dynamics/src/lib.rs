@@ -1,1 +1,54 @@
-//! (being written)
+//! The simulator proper: lumped masses joined by ropes that pull and do not push, advanced in time.
+//!
+//! No files, no text, no views; SI units throughout, f64. The tour:
+//!
+//! * A [`System`](system::System) is the net as it is made: masses, segments, what surrounds it. It does not change.
+//! * A [`State`](state::State) is all that does: positions and velocities.
+//! * [`forces`] holds the physics, one effect a file.
+//! * [`time`] holds the clock: [`time::readable`] is the step as one reads it, [`time::step`] the same bits, faster;
+//!   [`time::step_size`] says how large a step may be. [`layout`] says how a net lies in memory for it.
+//! * [`simulate`](simulate::simulate) runs a system from a state and shows every step to an [`Observer`](simulate::Observer).
+//! * [`energy`] keeps the ledger by which a run is judged.
+//!
+//! A mass on a rope, swinging:
+//!
+//! ```
+//! use glam::DVec3;
+//! use netcast_dynamics::simulate::{simulate, Frame, Live, Observer, Schedule};
+//! use netcast_dynamics::state::State;
+//! use netcast_dynamics::system::{Environment, Segment, SystemParts};
+//! use netcast_dynamics::time::step_size::step_limit;
+//!
+//! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness: 1e5, damping: 0.0, class: 0 };
+//! let system = SystemParts {
+//!     mass: vec![0.0, 2.0],
+//!     held: vec![true, false],
+//!     tractor: vec![false, false],
+//!     segments: vec![rope],
+//!     class_count: 1,
+//!     environment: Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 0.0 },
+//! }
+//! .build()?;
+//! let state = State { position: vec![DVec3::ZERO, DVec3::X], velocity: vec![DVec3::ZERO; 2] };
+//!
+//! struct Lowest(f64);
+//! impl Observer for Lowest {
+//!     fn step(&mut self, live: &Live) {
+//!         self.0 = self.0.min(live.net.position(1).z);
+//!     }
+//!     fn record(&mut self, _: &Frame) {}
+//! }
+//! let mut lowest = Lowest(0.0);
+//! let schedule = Schedule::new(1.0, 0.01, 0.3 * step_limit(&system).dt);
+//! let outcome = simulate(&system, &state, &schedule, 1, &mut lowest);
+//! assert!((lowest.0 + 1.0).abs() < 1e-2 && outcome.balance.closure() < 1e-3);
+//! # Ok::<(), netcast_dynamics::system::SystemError>(())
+//! ```
+
+pub mod energy;
+pub mod forces;
+pub mod layout;
+pub mod simulate;
+pub mod state;
+pub mod system;
+pub mod time;

@@ -1,0 +1,165 @@
+//! Where the energy is and where it went.
+
+use glam::DVec3;
+
+use crate::forces::{gravity, mass_damping, rope_tension};
+use crate::system::System;
+
+/// The energy balance at one time, J. What is stored is computed from the state; what was lost is the
+/// integral of its own power or work, step by step (trapezoidal rule). None is found by difference.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Ledger {
+    /// Kinetic energy of everything.
+    pub kinetic: f64,
+    /// Of that, the energy of the web: everything but the tractors.
+    pub kinetic_web: f64,
+    /// Elastic energy of taut segments.
+    pub elastic: f64,
+    /// Potential energy of weight, relative to the origin.
+    pub gravity: f64,
+    /// Lost to damping inside ropes since the start.
+    pub rope_damping: f64,
+    /// Lost to mass-proportional damping since the start.
+    pub mass_damping: f64,
+}
+
+impl Ledger {
+    /// The stored energy of a state; nothing lost yet.
+    pub fn of(system: &System, position: &[DVec3], velocity: &[DVec3]) -> Ledger {
+        let mut ledger = Ledger {
+            gravity: gravity::energy(system.environment().gravity, system.mass(), position),
+            ..Ledger::default()
+        };
+        for (node, v) in velocity.iter().enumerate() {
+            let energy = 0.5 * system.mass()[node] * v.length_squared();
+            ledger.kinetic += energy;
+            if !system.tractor()[node] {
+                ledger.kinetic_web += energy;
+            }
+        }
+        for s in system.segments() {
+            let [a, b] = s.ends;
+            ledger.elastic += rope_tension::elastic_energy(position[a], position[b], s.rest_length, s.stiffness);
+        }
+        ledger
+    }
+
+    /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new channel cannot be forgotten here.
+    pub fn channels(&self) -> [(&'static str, f64); 5] {
+        let Ledger { kinetic, kinetic_web: _, elastic, gravity, rope_damping, mass_damping } = *self;
+        [
+            ("kinetic", kinetic),
+            ("elastic", elastic),
+            ("gravity", gravity),
+            ("rope_damping", rope_damping),
+            ("mass_damping", mass_damping),
+        ]
+    }
+
+    /// The sum over all channels.
+    pub fn sum(&self) -> f64 {
+        self.channels().into_iter().map(|(_, energy)| energy).sum()
+    }
+
+    /// What is missing (or too much) since `start`.
+    pub fn residual(&self, start: &Ledger) -> f64 {
+        self.sum() - start.sum()
+    }
+}
+
+/// How well the balance closes over a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    start: Ledger,
+    largest_residual: f64,
+    largest_mechanical: f64,
+    lowest_gravity: f64,
+    largest_web: f64,
+}
+
+impl Balance {
+    /// A balance that starts with `start`.
+    pub fn new(start: Ledger) -> Balance {
+        let mut balance = Balance {
+            start,
+            largest_residual: 0.0,
+            largest_mechanical: f64::MIN,
+            lowest_gravity: f64::MAX,
+            largest_web: 0.0,
+        };
+        balance.add(&start);
+        balance
+    }
+
+    /// Takes a later ledger into account.
+    pub fn add(&mut self, ledger: &Ledger) {
+        self.largest_residual = self.largest_residual.max(ledger.residual(&self.start).abs());
+        self.largest_mechanical = self.largest_mechanical.max(ledger.kinetic + ledger.elastic + ledger.gravity);
+        self.lowest_gravity = self.lowest_gravity.min(ledger.gravity);
+        self.largest_web = self.largest_web.max(ledger.kinetic_web + ledger.elastic);
+    }
+
+    /// Energy at the start, J: stored energy, the origin as the level of zero weight energy.
+    pub fn initial(&self) -> f64 {
+        self.start.sum()
+    }
+
+    /// Largest |residual| of the run, J.
+    pub fn largest_residual(&self) -> f64 {
+        self.largest_residual
+    }
+
+    /// |residual| over the largest total energy of the run; weight energy counts from the lowest that it reached.
+    pub fn closure(&self) -> f64 {
+        ratio(self.largest_residual, self.largest_mechanical - self.lowest_gravity)
+    }
+
+    /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
+    pub fn closure_web(&self) -> f64 {
+        ratio(self.largest_residual, self.largest_web)
+    }
+}
+
+fn ratio(residual: f64, energy: f64) -> f64 {
+    if residual == 0.0 { 0.0 } else { residual / energy.max(f64::MIN_POSITIVE) }
+}
+
+/// Running integrals of what is lost.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Losses {
+    rope: f64,
+    mass: Integral,
+}
+
+impl Losses {
+    pub fn add_rope_work(&mut self, work: f64) {
+        self.rope += work;
+    }
+
+    pub fn add_mass_power(&mut self, power: f64, dt: f64) {
+        self.mass.add(power, dt);
+    }
+
+    /// The ledger of a state at which the work in ropes has been added and the power of mass damping not yet.
+    pub fn ledger(&self, system: &System, position: &[DVec3], velocity: &[DVec3], dt: f64) -> Ledger {
+        let mut mass = self.mass;
+        mass.add(mass_damping::lost_power(system.environment().mass_damping, system.mass(), velocity), dt);
+        Ledger { rope_damping: self.rope, mass_damping: mass.value, ..Ledger::of(system, position, velocity) }
+    }
+}
+
+/// Trapezoidal rule over equal steps.
+#[derive(Debug, Clone, Copy, Default)]
+struct Integral {
+    value: f64,
+    last: Option<f64>,
+}
+
+impl Integral {
+    fn add(&mut self, power: f64, dt: f64) {
+        if let Some(last) = self.last {
+            self.value += 0.5 * dt * (last + power);
+        }
+        self.last = Some(power);
+    }
+}

@@ -1,0 +1,13 @@
+//! The physics, one effect a file. A file holds the law, its force on the nodes, its power or energy.
+//!
+//! | effect | file | energy channel |
+//! |---|---|---|
+//! | tension of ropes, with their internal damping | [`rope_tension`] | elastic, rope_damping |
+//! | weight | [`gravity`] | gravity |
+//! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
+//!
+//! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
+
+pub mod gravity;
+pub mod mass_damping;
+pub mod rope_tension;

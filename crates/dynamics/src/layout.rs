@@ -1,0 +1,268 @@
+//! How a net lies in memory: ropes as unbroken runs of slots, knots apart.
+//!
+//! A *run* is a walk along segments of one class that uses each segment once. Its nodes are copied, in order, into *slots*; the
+//! segment of slot `i` joins it to slot `i + 1`, so that the hot loop reads its neighbours without an index. A node
+//! that appears in one slot only, and is free, is *private*: it is advanced where it lies. Every other node (a knot of several ropes, a
+//! held node, a lone mass) is *shared*: its slots are mere copies, its force is the sum over its slots in ascending
+//! order. That order is fixed by the layout alone, hence the same bits for any number of threads.
+//!
+//! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A run that does not fit is
+//! continued in the next block, and the node at the cut becomes a shared one.
+
+use crate::system::Segment;
+
+/// Largest number of slots in a block: what a core's first-level cache holds of one step's data.
+pub const BLOCK_SLOTS: usize = 512;
+
+/// A place of a node in a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Slot {
+    /// The node whose copy lies here.
+    pub node: usize,
+    /// The segment from this slot to the next; none at the end of a run.
+    pub segment: Option<usize>,
+}
+
+/// Consecutive slots whose segments are of one class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BlockPlan {
+    /// Link class of all its segments.
+    pub class: usize,
+    /// The slots, run after run.
+    pub slots: Vec<Slot>,
+}
+
+/// Where a node's own values are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Home {
+    /// In its only slot.
+    Private {
+        /// Index of the block.
+        block: usize,
+        /// Index of the slot in the block.
+        slot: usize,
+    },
+    /// Among the shared nodes.
+    Shared(usize),
+}
+
+/// The slots and homes of a net.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Layout {
+    blocks: Vec<BlockPlan>,
+    homes: Vec<Home>,
+    shared: Vec<usize>,
+    copies: Vec<Vec<(usize, usize)>>,
+    segment_slots: Vec<(usize, usize)>,
+}
+
+impl Layout {
+    /// Lays out `segments` between `nodes` nodes. Takes O(nodes + segments) time.
+    pub fn new(nodes: usize, segments: &[Segment], held: &[bool], class_count: usize) -> Layout {
+        let mut blocks = Vec::new();
+        for class in 0..class_count {
+            pack(class, runs(nodes, segments, class), &mut blocks);
+        }
+
+        let mut slots_of = vec![Vec::new(); nodes];
+        let mut segment_slots = vec![(usize::MAX, usize::MAX); segments.len()];
+        for (b, block) in blocks.iter().enumerate() {
+            for (s, slot) in block.slots.iter().enumerate() {
+                slots_of[slot.node].push((b, s));
+                if let Some(segment) = slot.segment {
+                    segment_slots[segment] = (b, s);
+                }
+            }
+        }
+
+        let (mut shared, mut copies) = (Vec::new(), Vec::new());
+        let homes = slots_of
+            .into_iter()
+            .enumerate()
+            .map(|(node, slots)| match slots[..] {
+                [(block, slot)] if !held[node] => Home::Private { block, slot },
+                _ => {
+                    shared.push(node);
+                    copies.push(slots);
+                    Home::Shared(shared.len() - 1)
+                }
+            })
+            .collect();
+        Layout { blocks, homes, shared, copies, segment_slots }
+    }
+
+    /// The blocks, classes in order.
+    pub fn blocks(&self) -> &[BlockPlan] {
+        &self.blocks
+    }
+
+    /// Where each node's values are kept; shape (nodes,).
+    pub fn homes(&self) -> &[Home] {
+        &self.homes
+    }
+
+    /// The shared nodes, ascending.
+    pub fn shared(&self) -> &[usize] {
+        &self.shared
+    }
+
+    /// (block, slot) of every copy of each shared node, ascending; shape (shared,).
+    pub fn copies(&self) -> &[Vec<(usize, usize)>] {
+        &self.copies
+    }
+
+    /// (block, slot) where each segment starts; shape (segments,).
+    pub fn segment_slots(&self) -> &[(usize, usize)] {
+        &self.segment_slots
+    }
+
+    /// Number of slots in all blocks.
+    pub fn slot_count(&self) -> usize {
+        self.blocks.iter().map(|b| b.slots.len()).sum()
+    }
+}
+
+/// Walks that together use every segment of `class` once: each a list of slots.
+///
+/// Walks start first where an odd number of segments meets (a walk must end there anyway), then on what is left, closed loops.
+/// At a node the walk takes the first unused segment in the order given, so that a rope stays in one run.
+fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
+    let mut meeting = vec![Vec::new(); nodes];
+    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {
+        meeting[s.ends[0]].push(i);
+        meeting[s.ends[1]].push(i);
+    }
+    let mut used = vec![false; segments.len()];
+    let mut next_untried = vec![0; nodes];
+    let mut found = Vec::new();
+    let mut walk = |start: usize, used: &mut Vec<bool>| {
+        let mut slots = Vec::new();
+        let mut node = start;
+        loop {
+            let untried = &mut next_untried[node];
+            while *untried < meeting[node].len() && used[meeting[node][*untried]] {
+                *untried += 1;
+            }
+            let segment = meeting[node].get(*untried).copied();
+            slots.push(Slot { node, segment });
+            let Some(segment) = segment else { break };
+            used[segment] = true;
+            node = segments[segment].other_end(node);
+        }
+        if slots.len() > 1 {
+            found.push(slots);
+        }
+    };
+    for node in (0..nodes).filter(|&n| meeting[n].len() % 2 == 1) {
+        walk(node, &mut used);
+    }
+    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {
+        if !used[i] {
+            walk(s.ends[0], &mut used);
+        }
+    }
+    found
+}
+
+/// Fills blocks of one class with runs, cutting those that do not fit.
+fn pack(class: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
+    let mut open: Vec<Slot> = Vec::new();
+    let mut close = |open: &mut Vec<Slot>| {
+        if !open.is_empty() {
+            blocks.push(BlockPlan { class, slots: std::mem::take(open) });
+        }
+    };
+    for run in runs {
+        if open.len() + run.len() > BLOCK_SLOTS {
+            close(&mut open);
+        }
+        for slot in run {
+            // a full block ends with a copy of the node at which the next one goes on
+            if open.len() + 1 == BLOCK_SLOTS && slot.segment.is_some() {
+                open.push(Slot { segment: None, ..slot });
+                close(&mut open);
+            }
+            open.push(slot);
+        }
+    }
+    close(&mut open);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn segment(a: usize, b: usize, class: usize) -> Segment {
+        Segment { ends: [a, b], rest_length: 1.0, stiffness: 1.0, damping: 0.0, class }
+    }
+
+    fn layout(nodes: usize, segments: &[Segment]) -> Layout {
+        let classes = segments.iter().map(|s| s.class + 1).max().unwrap_or(0);
+        Layout::new(nodes, segments, &vec![false; nodes], classes)
+    }
+
+    /// Every segment lies in exactly one slot, between its own two ends.
+    fn holds_every_segment_once(layout: &Layout, segments: &[Segment]) {
+        let mut seen = vec![0; segments.len()];
+        for block in layout.blocks() {
+            assert!(block.slots.len() <= BLOCK_SLOTS);
+            assert_eq!(block.slots.last().unwrap().segment, None);
+            for pair in block.slots.windows(2) {
+                if let Some(i) = pair[0].segment {
+                    seen[i] += 1;
+                    assert_eq!(segments[i].class, block.class);
+                    assert_eq!(segments[i].other_end(pair[0].node), pair[1].node);
+                }
+            }
+        }
+        assert!(seen.iter().all(|&n| n == 1), "{seen:?}");
+    }
+
+    #[test]
+    fn a_rope_is_one_run_of_private_nodes() {
+        let rope: Vec<_> = (0..9).map(|i| segment(i, i + 1, 0)).collect();
+        let layout = layout(10, &rope);
+        assert_eq!(layout.slot_count(), 10);
+        assert!(layout.shared().is_empty());
+        holds_every_segment_once(&layout, &rope);
+    }
+
+    #[test]
+    fn a_square_mesh_needs_hardly_more_slots_than_segments() {
+        let (n, id) = (11, |i: usize, j: usize| i * 11 + j);
+        let mut segments = Vec::new();
+        for i in 0..n {
+            for j in 0..n - 1 {
+                segments.push(segment(id(i, j), id(i, j + 1), 0));
+                segments.push(segment(id(j, i), id(j + 1, i), 0));
+            }
+        }
+        let layout = layout(n * n, &segments);
+        holds_every_segment_once(&layout, &segments);
+        // 36 knots on the border have three ropes: at least 18 runs, each with one slot more than segments
+        assert!(layout.slot_count() <= segments.len() + 20, "{}", layout.slot_count());
+    }
+
+    #[test]
+    fn a_run_longer_than_a_block_is_continued_in_the_next() {
+        let rope: Vec<_> = (0..2 * BLOCK_SLOTS).map(|i| segment(i, i + 1, 0)).collect();
+        let layout = layout(2 * BLOCK_SLOTS + 1, &rope);
+        holds_every_segment_once(&layout, &rope);
+        assert_eq!(layout.blocks().len(), 3);
+        assert_eq!(layout.shared().len(), 2);
+    }
+
+    #[test]
+    fn a_lone_mass_has_a_home() {
+        let layout = layout(3, &[segment(0, 1, 0)]);
+        assert_eq!(layout.homes()[2], Home::Shared(0));
+    }
+
+    #[test]
+    fn a_closed_loop_meets_itself_in_a_shared_node() {
+        let ring: Vec<_> = (0..6).map(|i| segment(i, (i + 1) % 6, 0)).collect();
+        let layout = layout(6, &ring);
+        holds_every_segment_once(&layout, &ring);
+        assert_eq!((layout.slot_count(), layout.shared().len()), (7, 1));
+    }
+}

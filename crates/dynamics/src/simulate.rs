@@ -1,0 +1,275 @@
+//! A run in time: steps, records, and the checks that stop a run that has gone wrong.
+
+use glam::DVec3;
+
+use crate::energy::{Balance, Ledger, Losses};
+use crate::state::State;
+use crate::system::System;
+use crate::time::step::{StepSums, Stepper};
+
+/// When steps and records happen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schedule {
+    /// Step, s.
+    pub dt: f64,
+    /// Number of steps.
+    pub count: u64,
+    /// Steps from one record to the next.
+    pub steps_per_record: u64,
+    /// Time from one record to the next, s.
+    pub record_every: f64,
+}
+
+impl Schedule {
+    /// The largest step not above `largest_dt` that divides `record_every`; `duration` is rounded to a whole number of steps.
+    pub fn new(duration: f64, record_every: f64, largest_dt: f64) -> Schedule {
+        let record_every = record_every.min(duration);
+        let steps_per_record = (record_every / largest_dt).ceil().max(1.0);
+        let dt = record_every / steps_per_record;
+        let count = (duration / dt).round().max(1.0);
+        Schedule { dt, count: count as u64, steps_per_record: steps_per_record as u64, record_every }
+    }
+
+    /// Time of a step, s. Records fall on whole multiples of `record_every`.
+    pub fn time(&self, step: u64) -> f64 {
+        (step / self.steps_per_record) as f64 * self.record_every + (step % self.steps_per_record) as f64 * self.dt
+    }
+
+    fn records(&self, step: u64) -> bool {
+        step.is_multiple_of(self.steps_per_record) || step == self.count
+    }
+}
+
+/// The net after a step, for measures that must not miss one. Nothing is computed until asked for.
+pub struct Live<'s, 'a> {
+    /// Positions are those of this time, s.
+    pub position_time: f64,
+    /// Velocities are those of this time, half a step earlier, s.
+    pub velocity_time: f64,
+    /// Tensions are those of this time, a step earlier, s.
+    pub tension_time: f64,
+    /// Step, s.
+    pub dt: f64,
+    /// The net.
+    pub net: &'s Stepper<'a>,
+}
+
+/// The whole net at one time.
+#[derive(Debug)]
+pub struct Frame<'s> {
+    /// Time, s.
+    pub time: f64,
+    /// Step number.
+    pub step: u64,
+    /// Positions, m, (nodes,).
+    pub position: &'s [DVec3],
+    /// Velocities, m/s, (nodes,).
+    pub velocity: &'s [DVec3],
+    /// Tensions, N, (segments,).
+    pub tension: &'s [f64],
+    /// The energy balance.
+    pub ledger: Ledger,
+    /// What the balance misses since the start, J.
+    pub residual: f64,
+}
+
+/// Who watches a run.
+pub trait Observer {
+    /// After every step.
+    fn step(&mut self, live: &Live);
+    /// At every record time, the start and the end among them.
+    fn record(&mut self, frame: &Frame);
+    /// Asked at every record time: whether to stop here.
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Why a run stopped before its time. What had been recorded stays valid.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StepError {
+    /// A value is no longer a finite number.
+    #[error("step {step} at {time} s: the {term} of {place} is not finite")]
+    NotFinite {
+        /// Which step.
+        step: u64,
+        /// At what time, s.
+        time: f64,
+        /// Which quantity.
+        term: &'static str,
+        /// Where.
+        place: Place,
+    },
+    /// The balance misses more energy than there is: the step does not resolve the motion.
+    #[error("step {step} at {time} s: the energy balance misses {residual} J, more than the net has")]
+    Diverged {
+        /// Which step.
+        step: u64,
+        /// At what time, s.
+        time: f64,
+        /// What is missing, J.
+        residual: f64,
+    },
+    /// The observer asked for it.
+    #[error("interrupted at {time} s")]
+    Interrupted {
+        /// At what time, s.
+        time: f64,
+    },
+}
+
+/// A place in the system, for messages; the scenario knows its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A node.
+    Node(usize),
+    /// A segment.
+    Segment(usize),
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Place::Node(i) => write!(f, "node {i}"),
+            Place::Segment(i) => write!(f, "segment {i}"),
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Steps taken.
+    pub steps: u64,
+    /// The last time that was recorded, s.
+    pub end_time: f64,
+    /// How the energy balance closes.
+    pub balance: Balance,
+    /// The last ledger.
+    pub ledger: Ledger,
+    /// Why it stopped early, if it did.
+    pub stopped: Option<StepError>,
+}
+
+/// Runs `system` from `state` along `schedule` on at most `threads` threads, showing everything to `observer`.
+///
+/// The result does not depend on the number of threads.
+pub fn simulate(
+    system: &System,
+    state: &State,
+    schedule: &Schedule,
+    threads: usize,
+    observer: &mut dyn Observer,
+) -> Outcome {
+    let mut net = Stepper::new(system, state, schedule.dt, threads);
+    let mut losses = Losses::default();
+    let mut record = Record::new(system);
+    let dt = schedule.dt;
+
+    for step in 0..=schedule.count {
+        let time = schedule.time(step);
+        let sums = if schedule.records(step) {
+            // look at the net between its forces and its advance
+            let sums = net.forces();
+            losses.add_rope_work(sums.rope_work);
+            if sums.rope_work.is_finite() {
+                record.take(&net, time, step, &losses, observer);
+            }
+            let stop = record.stop(&net, sums, time, step, observer.interrupted());
+            if stop.is_some() || step == schedule.count {
+                return record.outcome(step, time, stop);
+            }
+            net.advance()
+        } else {
+            let sums = net.step();
+            losses.add_rope_work(sums.rope_work);
+            if !sums.rope_work.is_finite() {
+                return record.outcome(step, time, Some(not_finite(&net, time, step)));
+            }
+            sums
+        };
+        losses.add_mass_power(sums.mass_power, dt);
+        observer.step(&Live {
+            position_time: schedule.time(step + 1),
+            velocity_time: time + 0.5 * dt,
+            tension_time: time,
+            dt,
+            net: &net,
+        });
+    }
+    unreachable!("the last step returns")
+}
+
+/// The net at a record time, in buffers that are used again.
+struct Record {
+    position: Vec<DVec3>,
+    velocity: Vec<DVec3>,
+    tension: Vec<f64>,
+    ledger: Ledger,
+    start: Option<(Ledger, Balance)>,
+}
+
+impl Record {
+    fn new(system: &System) -> Record {
+        let nodes = system.mass().len();
+        Record {
+            position: vec![DVec3::ZERO; nodes],
+            velocity: vec![DVec3::ZERO; nodes],
+            tension: vec![0.0; system.segments().len()],
+            ledger: Ledger::default(),
+            start: None,
+        }
+    }
+
+    fn take(&mut self, net: &Stepper, time: f64, step: u64, losses: &Losses, observer: &mut dyn Observer) {
+        for node in 0..self.position.len() {
+            (self.position[node], self.velocity[node]) = (net.position(node), net.velocity(node));
+        }
+        for (segment, tension) in self.tension.iter_mut().enumerate() {
+            *tension = net.tension(segment);
+        }
+        let ledger = losses.ledger(net.system(), &self.position, &self.velocity, net.dt());
+        let (start, balance) = self.start.get_or_insert_with(|| (ledger, Balance::new(ledger)));
+        balance.add(&ledger);
+        self.ledger = ledger;
+        let (position, velocity, tension) = (&self.position[..], &self.velocity[..], &self.tension[..]);
+        observer.record(&Frame { time, step, position, velocity, tension, ledger, residual: ledger.residual(start) });
+    }
+
+    fn stop(&self, net: &Stepper, sums: StepSums, time: f64, step: u64, interrupted: bool) -> Option<StepError> {
+        let balance = self.balance();
+        if !sums.rope_work.is_finite() {
+            Some(not_finite(net, time, step))
+        } else if balance.closure() > 1.0 {
+            Some(StepError::Diverged { step, time, residual: balance.largest_residual() })
+        } else {
+            interrupted.then_some(StepError::Interrupted { time })
+        }
+    }
+
+    fn balance(&self) -> Balance {
+        self.start.map_or_else(|| Balance::new(self.ledger), |(_, balance)| balance)
+    }
+
+    fn outcome(&self, steps: u64, end_time: f64, stopped: Option<StepError>) -> Outcome {
+        Outcome { steps, end_time, balance: self.balance(), ledger: self.ledger, stopped }
+    }
+}
+
+/// Finds the first value that is not finite.
+fn not_finite(net: &Stepper, time: f64, step: u64) -> StepError {
+    let system = net.system();
+    let node = (0..system.mass().len()).find_map(|node| {
+        let place = Place::Node(node);
+        if !net.half_step_velocity(node).is_finite() {
+            Some(("velocity", place))
+        } else {
+            (!net.position(node).is_finite()).then_some(("position", place))
+        }
+    });
+    let (term, place) = node.unwrap_or_else(|| {
+        let segment = (0..system.segments().len()).find(|&s| !net.tension(s).is_finite()).unwrap_or(0);
+        ("tension", Place::Segment(segment))
+    });
+    StepError::NotFinite { step, time, term, place }
+}

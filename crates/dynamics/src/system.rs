@@ -1,0 +1,214 @@
+//! The model that is simulated: lumped masses joined by tension-only segments. Immutable, SI, without names.
+
+use glam::DVec3;
+
+use crate::layout::Layout;
+
+/// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// The two nodes that it joins.
+    pub ends: [usize; 2],
+    /// Length without tension, m.
+    pub rest_length: f64,
+    /// Stiffness k = EA / rest length, N/m.
+    pub stiffness: f64,
+    /// Damping c against the rate of stretch, N s/m.
+    pub damping: f64,
+    /// Link class, an index below [`System::class_count`].
+    pub class: usize,
+}
+
+impl Segment {
+    /// The other end of this segment, seen from `node`.
+    pub fn other_end(&self, node: usize) -> usize {
+        if self.ends[0] == node { self.ends[1] } else { self.ends[0] }
+    }
+}
+
+/// What surrounds the net.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Environment {
+    /// Acceleration of gravity, m/s^2, as a vector in the world frame.
+    pub gravity: DVec3,
+    /// Mass-proportional damping, 1/s: a force -damping * m * v on every node.
+    pub mass_damping: f64,
+}
+
+/// The net as a system of ordinary differential equations.
+#[derive(Debug, Clone)]
+pub struct System {
+    mass: Vec<f64>,
+    held: Vec<bool>,
+    tractor: Vec<bool>,
+    segments: Vec<Segment>,
+    class_count: usize,
+    environment: Environment,
+    layout: Layout,
+}
+
+/// What a [`System`] is made from; [`SystemParts::build`] checks it.
+#[derive(Debug, Clone, Default)]
+pub struct SystemParts {
+    /// Mass of each node, kg; shape (nodes,).
+    pub mass: Vec<f64>,
+    /// Whether a node stays where it is; shape (nodes,).
+    pub held: Vec<bool>,
+    /// Whether a node is a tractor, whose kinetic energy is kept apart from the web's; shape (nodes,).
+    pub tractor: Vec<bool>,
+    /// Segments; those of one rope in order, one after the other, so that they can be laid out as one run.
+    pub segments: Vec<Segment>,
+    /// Number of link classes.
+    pub class_count: usize,
+    /// Gravity and damping.
+    pub environment: Environment,
+}
+
+/// Why a system cannot be simulated.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SystemError {
+    /// There is nothing to simulate.
+    #[error("the system has no nodes")]
+    Empty,
+    /// Arrays that describe the nodes differ in length.
+    #[error("{what} is given for {found} nodes, masses for {expected}")]
+    Shape {
+        /// Which array.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The number of nodes.
+        expected: usize,
+    },
+    /// A node that can move has no mass, or a mass that is not a number.
+    #[error("node {node} has a mass of {mass} kg; a node that is free to move needs a positive one")]
+    Mass {
+        /// Which node.
+        node: usize,
+        /// Its mass, kg.
+        mass: f64,
+    },
+    /// A segment joins a node to itself or to one that does not exist.
+    #[error("segment {segment} joins nodes {} and {}; there are {nodes} nodes", ends[0], ends[1])]
+    Ends {
+        /// Which segment.
+        segment: usize,
+        /// Its ends.
+        ends: [usize; 2],
+        /// The number of nodes.
+        nodes: usize,
+    },
+    /// A property of a segment is out of range.
+    #[error("segment {segment} has a {what} of {value}")]
+    Property {
+        /// Which segment.
+        segment: usize,
+        /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Gravity or damping is out of range.
+    #[error("the environment's {what} is {value}")]
+    Environment {
+        /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl SystemParts {
+    /// Checks the parts and lays the system out for the step.
+    ///
+    /// # Errors
+    /// The first part that is out of range, as a [`SystemError`].
+    pub fn build(self) -> Result<System, SystemError> {
+        let nodes = self.mass.len();
+        if nodes == 0 {
+            return Err(SystemError::Empty);
+        }
+        for (what, found) in [("held", self.held.len()), ("tractor", self.tractor.len())] {
+            if found != nodes {
+                return Err(SystemError::Shape { what, found, expected: nodes });
+            }
+        }
+        for (node, &mass) in self.mass.iter().enumerate() {
+            let enough = if self.held[node] { mass >= 0.0 } else { mass > 0.0 };
+            if !(enough && mass.is_finite()) {
+                return Err(SystemError::Mass { node, mass });
+            }
+        }
+        for (segment, s) in self.segments.iter().enumerate() {
+            let [a, b] = s.ends;
+            if a == b || a >= nodes || b >= nodes {
+                return Err(SystemError::Ends { segment, ends: s.ends, nodes });
+            }
+            let checks = [
+                ("rest length, m", s.rest_length, s.rest_length > 0.0),
+                ("stiffness, N/m", s.stiffness, s.stiffness > 0.0),
+                ("damping, N s/m", s.damping, s.damping >= 0.0),
+                ("class", s.class as f64, s.class < self.class_count),
+            ];
+            for (what, value, holds) in checks {
+                if !(holds && value.is_finite()) {
+                    return Err(SystemError::Property { segment, what, value });
+                }
+            }
+        }
+        let Environment { gravity, mass_damping } = self.environment;
+        if !gravity.is_finite() {
+            return Err(SystemError::Environment { what: "gravity, m/s^2", value: gravity.length() });
+        }
+        if !(mass_damping >= 0.0 && mass_damping.is_finite()) {
+            return Err(SystemError::Environment { what: "damping, 1/s", value: mass_damping });
+        }
+        let layout = Layout::new(nodes, &self.segments, &self.held, self.class_count);
+        Ok(System {
+            mass: self.mass,
+            held: self.held,
+            tractor: self.tractor,
+            segments: self.segments,
+            class_count: self.class_count,
+            environment: self.environment,
+            layout,
+        })
+    }
+}
+
+impl System {
+    /// Mass of each node, kg; shape (nodes,).
+    pub fn mass(&self) -> &[f64] {
+        &self.mass
+    }
+
+    /// Whether each node stays where it is; shape (nodes,).
+    pub fn held(&self) -> &[bool] {
+        &self.held
+    }
+
+    /// Whether each node is a tractor; shape (nodes,).
+    pub fn tractor(&self) -> &[bool] {
+        &self.tractor
+    }
+
+    /// The segments, in the order in which they were given.
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// Number of link classes.
+    pub fn class_count(&self) -> usize {
+        self.class_count
+    }
+
+    /// Gravity and damping.
+    pub fn environment(&self) -> &Environment {
+        &self.environment
+    }
+
+    /// How nodes and segments lie in memory while time runs.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+}

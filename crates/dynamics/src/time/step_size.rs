@@ -1,0 +1,56 @@
+//! The largest step that is stable.
+//!
+//! For an oscillator of frequency omega and damping ratio xi the scheme of [`crate::time`] obeys
+//!
+//! ```text
+//! x_(n+1) - 2 x_n + x_(n-1) = -W^2 x_n - 2 xi W (3 x_n - 4 x_(n-1) + x_(n-2))/2,      W = omega dt
+//! ```
+//!
+//! whose root leaves the unit circle at z = -1, where W^2 + 8 xi W = 4. For a net this reads: dt^2 K + 4 dt C - 4 M must be negative
+//! definite. By Gershgorin's theorem, node by node, with sums over the segments that meet there (each counts twice, once for itself and once for the coupling):
+//!
+//! ```text
+//! 2 dt^2 sum(k) + 8 dt sum(c) <= 4 m,    dt = m / (C + sqrt(C^2 + K m/2)),    K = sum(k), C = sum(c)
+//! ```
+//!
+//! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact: dt = segment length / wave speed.
+//! See docs/theory/step-size.md for the derivation.
+
+use crate::system::System;
+
+/// A bound on the step and what sets it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepLimit {
+    /// Largest stable step, s; infinite where nothing is stiff.
+    pub dt: f64,
+    /// The node that sets it.
+    pub node: usize,
+    /// The stiffest segment that meets there.
+    pub segment: Option<usize>,
+}
+
+/// The stability limit of `system`.
+pub fn step_limit(system: &System) -> StepLimit {
+    let nodes = system.mass().len();
+    let mut stiffness = vec![0.0; nodes];
+    let mut damping = vec![0.0; nodes];
+    let mut stiffest: Vec<Option<usize>> = vec![None; nodes];
+    for (i, s) in system.segments().iter().enumerate() {
+        for node in s.ends {
+            stiffness[node] += s.stiffness;
+            damping[node] += s.damping;
+            if stiffest[node].is_none_or(|other| s.stiffness > system.segments()[other].stiffness) {
+                stiffest[node] = Some(i);
+            }
+        }
+    }
+    let mut limit = StepLimit { dt: f64::INFINITY, node: 0, segment: None };
+    for node in (0..nodes).filter(|&n| !system.held()[n] && stiffness[n] > 0.0) {
+        let (mass, k, c) = (system.mass()[node], stiffness[node], damping[node]);
+        let dt = mass / (c + (c * c + 0.5 * k * mass).sqrt());
+        if dt < limit.dt {
+            limit = StepLimit { dt, node, segment: stiffest[node] };
+        }
+    }
+    limit
+}

@@ -1,0 +1,127 @@
+//! Nets for the tests of this crate.
+#![allow(dead_code)] // each test program uses its own part
+
+use glam::DVec3;
+use netcast_dynamics::forces::rope_tension::damping_from_ratio;
+use netcast_dynamics::simulate::{Frame, Live, Observer};
+use netcast_dynamics::state::State;
+use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
+use proptest::prelude::*;
+
+/// A rope's properties.
+#[derive(Debug, Clone, Copy)]
+pub struct Material {
+    pub axial_stiffness: f64,
+    pub mass_per_length: f64,
+    pub damping_ratio: f64,
+}
+
+/// The paper's rope: 10 mm, 1850 kg/m^3, 78 GPa.
+pub fn paper_rope(damping_ratio: f64) -> Material {
+    let area = std::f64::consts::PI * 0.01 * 0.01 / 4.0;
+    Material { axial_stiffness: 78e9 * area, mass_per_length: 1850.0 * area, damping_ratio }
+}
+
+/// Parts to which segments can be added.
+#[derive(Debug, Clone, Default)]
+pub struct Net {
+    pub parts: SystemParts,
+    pub state: State,
+}
+
+impl Net {
+    pub fn node(&mut self, position: DVec3, velocity: DVec3) -> usize {
+        self.parts.mass.push(0.0);
+        self.parts.held.push(false);
+        self.parts.tractor.push(false);
+        self.state.position.push(position);
+        self.state.velocity.push(velocity);
+        self.parts.mass.len() - 1
+    }
+
+    /// A segment of `rest_length`, its mass halved between its ends.
+    pub fn segment(&mut self, a: usize, b: usize, rest_length: f64, m: Material) {
+        let (stiffness, mass) = (m.axial_stiffness / rest_length, m.mass_per_length * rest_length);
+        let damping = damping_from_ratio(m.damping_ratio, stiffness, mass);
+        self.parts.segments.push(Segment { ends: [a, b], rest_length, stiffness, damping, class: 0 });
+        self.parts.class_count = 1;
+        self.parts.mass[a] += 0.5 * mass;
+        self.parts.mass[b] += 0.5 * mass;
+    }
+
+    /// A straight rope of `count` segments from the origin along x, at rest and just not taut.
+    pub fn rope(length: f64, count: usize, m: Material) -> Net {
+        let mut net = Net::default();
+        for i in 0..=count {
+            net.node(DVec3::X * (length * i as f64 / count as f64), DVec3::ZERO);
+        }
+        for i in 0..count {
+            net.segment(i, i + 1, length / count as f64, m);
+        }
+        net
+    }
+
+    pub fn build(&self) -> System {
+        self.parts.clone().build().expect("a valid net")
+    }
+}
+
+/// Keeps every frame's time, positions and velocities.
+#[derive(Default)]
+pub struct Film {
+    pub frames: Vec<(f64, Vec<DVec3>, Vec<DVec3>)>,
+}
+
+impl Observer for Film {
+    fn step(&mut self, _: &Live) {}
+
+    fn record(&mut self, frame: &Frame) {
+        self.frames.push((frame.time, frame.position.to_vec(), frame.velocity.to_vec()));
+    }
+}
+
+/// Any net: random nodes, ropes of several segments among them, some slack, some taut, moving.
+pub fn any_net(damping_ratio: f64) -> impl Strategy<Value = Net> {
+    let coordinate = || -1.0..1.0f64;
+    let point = move || (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| DVec3::new(x, y, z));
+    let knots = prop::collection::vec((point(), point()), 3..12);
+    let ropes = prop::collection::vec(
+        (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 1usize..6, 0.9..1.3f64),
+        2..24,
+    );
+    (knots, ropes).prop_map(move |(knots, ropes)| {
+        let mut net = Net::default();
+        for (position, velocity) in knots {
+            let node = net.node(position, 20.0 * velocity);
+            net.parts.mass[node] = 0.2;
+        }
+        let count = net.parts.mass.len();
+        for (a, b, pieces, slack) in ropes {
+            let (a, b) = (a.index(count), b.index(count));
+            let span = net.state.position[b] - net.state.position[a];
+            if span.length() < 0.05 {
+                continue;
+            }
+            let rest_length = slack * span.length() / pieces as f64;
+            let mut last = a;
+            for piece in 1..=pieces {
+                let share = piece as f64 / pieces as f64;
+                let next = if piece == pieces {
+                    b
+                } else {
+                    let velocity = net.state.velocity[a].lerp(net.state.velocity[b], share);
+                    net.node(net.state.position[a] + share * span, velocity)
+                };
+                let material = Material { axial_stiffness: 2e4, mass_per_length: 0.05, damping_ratio };
+                net.segment(last, next, rest_length, material);
+                last = next;
+            }
+        }
+        net
+    })
+}
+
+/// Standard gravity in a slanted direction and damping of 3 1/s.
+pub fn surroundings() -> Environment {
+    Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0 }
+}
