@@ -1,0 +1,131 @@
+//! What can go wrong between a finished computation and a readable result folder.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+/// A result could not be written, or could not be read back.
+#[derive(Debug, Error)]
+pub enum ResultError {
+    /// The result folder's path names a file.
+    #[error("{} is a file: results need a folder", path.display())]
+    TargetIsFile {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The folder holds something that netcast did not write, and must not replace.
+    #[error("{} is not empty and was not written by netcast: empty it or choose another folder", path.display())]
+    TargetNotOurs {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The folder is the one the command runs in, or one above it: swapping it would pull the ground from under the shell.
+    #[error("{} is the current folder or holds it: name a folder inside it", path.display())]
+    TargetHoldsCurrent {
+        /// The path asked for.
+        path: PathBuf,
+    },
+    /// The operating system refused a write.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// What was being written.
+        path: PathBuf,
+        /// The reason given.
+        source: io::Error,
+    },
+    /// The operating system refused a read.
+    #[error("cannot read {}: {source}", path.display())]
+    Read {
+        /// What was being read.
+        path: PathBuf,
+        /// The reason given.
+        source: io::Error,
+    },
+    /// A JSON file does not hold what its name promises.
+    #[error("{} is not a valid result: {source}", path.display())]
+    Json {
+        /// The file.
+        path: PathBuf,
+        /// The reason given.
+        source: serde_json::Error,
+    },
+    /// A number of the summary is infinite or not a number; JSON has no word for it and null would hide it.
+    #[error("a number under `{section}` of the summary is not finite")]
+    NotFinite {
+        /// The summary's section.
+        section: &'static str,
+    },
+    /// A CSV file is malformed.
+    #[error("{} is not a valid table: {source}", path.display())]
+    Csv {
+        /// The file.
+        path: PathBuf,
+        /// The reason given.
+        source: csv::Error,
+    },
+    /// A cell of a table is neither empty nor a number.
+    #[error("{}, line {line}, column {column}: expected a number, found `{text}`", path.display())]
+    NotANumber {
+        /// The file.
+        path: PathBuf,
+        /// Line in the file, from 1.
+        line: u64,
+        /// The column's name.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// The field file could not be written or read.
+    #[error("{}: {source}", path.display())]
+    Fields {
+        /// The file.
+        path: PathBuf,
+        /// The reason given.
+        source: hdf5_pure::Error,
+    },
+    /// The field file is sound but holds no netcast result.
+    #[error("{}: {what}", path.display())]
+    NotFields {
+        /// The file.
+        path: PathBuf,
+        /// What is missing or inconsistent.
+        what: String,
+    },
+    /// An array or a row has the wrong length.
+    #[error("{what}: expected {expected} values, found {found}")]
+    Length {
+        /// The array.
+        what: &'static str,
+        /// Its length by the topology or the columns.
+        expected: usize,
+        /// The length it came with.
+        found: usize,
+    },
+}
+
+impl ResultError {
+    pub(crate) fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        move |source| Self::Write { path: path.to_path_buf(), source }
+    }
+
+    pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        move |source| Self::Read { path: path.to_path_buf(), source }
+    }
+
+    pub(crate) fn json(path: &Path) -> impl FnOnce(serde_json::Error) -> Self {
+        move |source| Self::Json { path: path.to_path_buf(), source }
+    }
+
+    pub(crate) fn csv(path: &Path) -> impl FnOnce(csv::Error) -> Self {
+        move |source| Self::Csv { path: path.to_path_buf(), source }
+    }
+
+    pub(crate) fn fields(path: &Path) -> impl FnOnce(hdf5_pure::Error) -> Self {
+        move |source| Self::Fields { path: path.to_path_buf(), source }
+    }
+
+    pub(crate) fn length(what: &'static str, expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self::Length { what, expected, found }) }
+    }
+}

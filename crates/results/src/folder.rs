@@ -1,0 +1,225 @@
+//! The result folder: written aside, swapped in when complete.
+//!
+//! A run writes into a hidden folder beside its target; [`ResultFolder::publish`] puts that in the target's place. So a
+//! reader sees the old result or the new one, never a mixture, and a run that is interrupted leaves the old one as it
+//! was. A run that failed publishes what it computed in the same way, with `finished: false` in its summary.
+//!
+//! A folder that netcast wrote (its manifest says so) is replaced as a whole; one that holds anything else is refused.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io, process};
+
+use crate::{Manifest, ResultError};
+
+/// The scenario as resolved, with the files it names.
+pub const INPUTS: &str = "inputs";
+/// The run in numbers.
+pub const SUMMARY: &str = "summary.json";
+/// One row a record step.
+pub const HISTORY: &str = "history.csv";
+/// Every node and rope at every record step.
+pub const FIELDS: &str = "fields.vtkhdf";
+/// The page to look at.
+pub const REPORT: &str = "report.html";
+/// Who ran what, where and when.
+pub const MANIFEST: &str = "manifest.json";
+
+/// A result folder in the making. Dropped before [`publish`](Self::publish), it leaves nothing behind.
+#[derive(Debug)]
+pub struct ResultFolder {
+    target: PathBuf,
+    aside: PathBuf,
+}
+
+impl ResultFolder {
+    /// Makes the folder to write into, beside `target`, whose parents are created where they are missing.
+    ///
+    /// # Errors
+    /// [`ResultError::TargetIsFile`], [`ResultError::TargetNotOurs`] or [`ResultError::TargetHoldsCurrent`] where
+    /// `target` must not be replaced, with nothing written; [`ResultError::Write`] where its parent cannot be written.
+    pub fn create(target: &Path) -> Result<Self, ResultError> {
+        let target = resolve(target)?;
+        require_replaceable(&target)?;
+        let parent = target.parent().unwrap_or(Path::new("/"));
+        fs::create_dir_all(parent).map_err(ResultError::write(parent))?;
+        let aside = unused_beside(&target, "new");
+        fs::create_dir(&aside).map_err(ResultError::write(&aside))?;
+        Ok(Self { target, aside })
+    }
+
+    /// Where to write until the folder is published.
+    pub fn path(&self) -> &Path {
+        &self.aside
+    }
+
+    /// Where the folder will stand once published.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Puts the folder in its target's place and returns that.
+    ///
+    /// # Errors
+    /// Those of [`create`](Self::create), since the target may have changed meanwhile. The old result then still stands
+    /// and the new one is removed.
+    pub fn publish(self) -> Result<PathBuf, ResultError> {
+        require_replaceable(&self.target)?;
+        if !self.target.exists() {
+            fs::rename(&self.aside, &self.target).map_err(ResultError::write(&self.target))?;
+            return Ok(self.target.clone());
+        }
+        let old = unused_beside(&self.target, "old");
+        fs::rename(&self.target, &old).map_err(ResultError::write(&self.target))?;
+        if let Err(source) = fs::rename(&self.aside, &self.target) {
+            // the old result goes back; should that fail too, it is still whole, beside its place
+            let _ = fs::rename(&old, &self.target);
+            return Err(ResultError::Write { path: self.target.clone(), source });
+        }
+        fs::remove_dir_all(&old).map_err(ResultError::write(&old))?;
+        Ok(self.target.clone())
+    }
+}
+
+impl Drop for ResultFolder {
+    fn drop(&mut self) {
+        // after publishing there is nothing here; a destructor has nobody to tell of a failure
+        let _ = fs::remove_dir_all(&self.aside);
+    }
+}
+
+/// The absolute path that `target` stands for, links followed as far as it exists.
+fn resolve(target: &Path) -> Result<PathBuf, ResultError> {
+    match fs::canonicalize(target) {
+        Ok(path) => Ok(path),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            std::path::absolute(target).map_err(ResultError::write(target))
+        }
+        Err(source) => Err(ResultError::Write { path: target.to_path_buf(), source }),
+    }
+}
+
+/// Refuses a target that is not free, empty, or a result of ours.
+fn require_replaceable(target: &Path) -> Result<(), ResultError> {
+    let path = || target.to_path_buf();
+    match fs::metadata(target) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(source) => return Err(ResultError::Write { path: path(), source }),
+        Ok(metadata) if !metadata.is_dir() => return Err(ResultError::TargetIsFile { path: path() }),
+        Ok(_) => {}
+    }
+    let current = env::current_dir().and_then(fs::canonicalize);
+    if current.is_ok_and(|current| current.starts_with(target)) {
+        return Err(ResultError::TargetHoldsCurrent { path: path() });
+    }
+    let empty = fs::read_dir(target).map_err(ResultError::read(target))?.next().is_none();
+    if !empty && !Manifest::marks(target) {
+        return Err(ResultError::TargetNotOurs { path: path() });
+    }
+    Ok(())
+}
+
+/// A hidden name beside `target`, on the same file system so that a rename swaps it in, that nothing bears yet.
+fn unused_beside(target: &Path, role: &str) -> PathBuf {
+    let candidate = |attempt: u32| {
+        let mut name = OsString::from(".");
+        name.push(target.file_name().unwrap_or_default());
+        name.push(format!(".{role}-{}-{attempt}", process::id()));
+        target.with_file_name(name)
+    };
+    (0..).map(candidate).find(|path| !path.exists()).expect("names do not run out")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Machine;
+
+    fn sign(folder: &Path) {
+        let manifest = Manifest::new(String::new(), Machine::this(), 1);
+        manifest.write(&folder.join(MANIFEST)).unwrap();
+    }
+
+    fn publish(target: &Path, text: &str) -> Result<PathBuf, ResultError> {
+        let folder = ResultFolder::create(target)?;
+        fs::write(folder.path().join("summary.json"), text).unwrap();
+        sign(folder.path());
+        folder.publish()
+    }
+
+    fn names_in(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_result_is_made_with_its_parents_and_replaced_as_a_whole() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("results/deep/net");
+        publish(&target, "first").unwrap();
+        fs::write(target.join("report.html"), "of the first").unwrap();
+        publish(&target, "second").unwrap();
+        assert_eq!(names_in(&target), ["manifest.json", "summary.json"]);
+        assert_eq!(fs::read_to_string(target.join("summary.json")).unwrap(), "second");
+        assert_eq!(names_in(target.parent().unwrap()), ["net"], "nothing is left beside the result");
+    }
+
+    #[test]
+    fn nothing_shows_before_it_is_complete_and_nothing_is_left_of_an_abandoned_run() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("net");
+        publish(&target, "first").unwrap();
+        let folder = ResultFolder::create(&target).unwrap();
+        fs::write(folder.path().join("summary.json"), "half of the second").unwrap();
+        assert_eq!(fs::read_to_string(target.join("summary.json")).unwrap(), "first");
+        drop(folder);
+        assert_eq!(fs::read_to_string(target.join("summary.json")).unwrap(), "first");
+        assert_eq!(names_in(root.path()), ["net"]);
+    }
+
+    #[test]
+    fn an_empty_folder_is_taken() {
+        let root = tempfile::tempdir().unwrap();
+        publish(&root.path().join("net"), "first").unwrap();
+        let target = root.path().join("empty");
+        fs::create_dir(&target).unwrap();
+        publish(&target, "first").unwrap();
+        assert!(target.join("summary.json").is_file());
+    }
+
+    #[test]
+    fn what_is_not_ours_is_refused_and_kept() {
+        let root = tempfile::tempdir().unwrap();
+        let thesis = root.path().join("thesis");
+        fs::create_dir(&thesis).unwrap();
+        fs::write(thesis.join("chapter.tex"), "years of work").unwrap();
+        assert!(matches!(publish(&thesis, "new"), Err(ResultError::TargetNotOurs { .. })));
+
+        // a manifest of some other program is not ours either
+        fs::write(thesis.join(MANIFEST), r#"{"name": "something else"}"#).unwrap();
+        assert!(matches!(publish(&thesis, "new"), Err(ResultError::TargetNotOurs { .. })));
+        assert_eq!(names_in(&thesis), ["chapter.tex", "manifest.json"]);
+
+        let file = thesis.join("chapter.tex");
+        assert!(matches!(publish(&file, "new"), Err(ResultError::TargetIsFile { .. })));
+        assert_eq!(names_in(root.path()), ["thesis"]);
+    }
+
+    #[test]
+    fn a_parent_that_is_a_file_is_an_error_that_names_it() {
+        let root = tempfile::tempdir().unwrap();
+        let file = root.path().join("file");
+        fs::write(&file, "").unwrap();
+        let error = publish(&file.join("net"), "new").unwrap_err();
+        assert!(error.to_string().contains("file"), "{error}");
+    }
+
+    #[test]
+    fn the_current_folder_is_not_swapped_away() {
+        for target in [Path::new("."), Path::new("..")] {
+            assert!(matches!(ResultFolder::create(target), Err(ResultError::TargetHoldsCurrent { .. })));
+        }
+    }
+}

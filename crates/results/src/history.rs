@@ -1,0 +1,216 @@
+//! `history.csv`: one row a record step.
+//!
+//! Numbers are the shortest decimals that read back to the same bits; an empty cell is a quantity that the scenario
+//! does not have. [`columns`] gives the names in the order of the file.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use crate::ResultError;
+
+/// Columns that every history has, before those of its points, classes and energy channels.
+const COMMON_COLUMNS: [&str; 8] = [
+    "time_s",
+    "area_m2",
+    "vector_area_m2",
+    "tractor_area_m2",
+    "centre_travel_m",
+    "corner_travel_m",
+    "tractor_travel_m",
+    "tension_max_n",
+];
+
+/// The columns of a history in their order: the common ones, then those of each feature point, link class and energy
+/// channel. A column that is there already is not repeated: of a point called `tractor`, `tractor_travel_m` is the mean
+/// over all tractors.
+///
+/// ```
+/// let names = netcast_results::history::columns(&["B"], &["ring"], &["kinetic"]);
+/// assert_eq!(names[0], "time_s");
+/// assert_eq!(
+///     names[8..],
+///     [
+///         "B_x_m", "B_y_m", "B_z_m", "B_travel_m", "B_speed_m_s", "B_tension_n",
+///         "ring_mean_n", "ring_max_n", "energy_kinetic_j",
+///     ]
+/// );
+/// ```
+pub fn columns<S: AsRef<str>>(points: &[S], classes: &[S], channels: &[S]) -> Vec<String> {
+    let mut names: Vec<String> = COMMON_COLUMNS.iter().map(|name| name.to_string()).collect();
+    for point in points {
+        let point = point.as_ref();
+        names.extend(["x_m", "y_m", "z_m", "travel_m", "speed_m_s", "tension_n"].map(|what| format!("{point}_{what}")));
+    }
+    for class in classes {
+        names.extend(["mean_n", "max_n"].map(|what| format!("{}_{what}", class.as_ref())));
+    }
+    names.extend(channels.iter().map(|channel| format!("energy_{}_j", channel.as_ref())));
+    let mut seen = BTreeSet::new();
+    names.retain(|name| seen.insert(name.clone()));
+    names
+}
+
+/// A table of numbers with named columns; `None` is an empty cell.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct History {
+    columns: Vec<String>,
+    rows: Vec<Vec<Option<f64>>>,
+}
+
+impl History {
+    /// An empty table with these columns.
+    pub fn new(columns: Vec<String>) -> Self {
+        Self { columns, rows: Vec::new() }
+    }
+
+    /// Appends a row.
+    ///
+    /// # Errors
+    /// [`ResultError::Length`] where the row has not one cell a column.
+    pub fn push(&mut self, row: Vec<Option<f64>>) -> Result<(), ResultError> {
+        ResultError::length("a row of the history", self.columns.len(), row.len())?;
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// The names of the columns, in order.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// The rows, in order of time; each has one cell a column.
+    pub fn rows(&self) -> &[Vec<Option<f64>>] {
+        &self.rows
+    }
+
+    /// Where the column of this name stands.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    /// The cells of the column of this name, in order of time.
+    pub fn values(&self, name: &str) -> Option<impl Iterator<Item = Option<f64>> + '_> {
+        let column = self.column(name)?;
+        Some(self.rows.iter().map(move |row| row[column]))
+    }
+
+    /// Writes the table to `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Csv`] where the file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), ResultError> {
+        let mut writer = csv::Writer::from_path(path).map_err(ResultError::csv(path))?;
+        writer.write_record(&self.columns).map_err(ResultError::csv(path))?;
+        for row in &self.rows {
+            let cells = row.iter().map(|cell| cell.map(decimal).unwrap_or_default());
+            writer.write_record(cells).map_err(ResultError::csv(path))?;
+        }
+        writer.flush().map_err(ResultError::write(path))
+    }
+
+    /// Reads a table from `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Csv`] where the table is malformed, [`ResultError::NotANumber`] with the place of the cell.
+    pub fn read(path: &Path) -> Result<Self, ResultError> {
+        let mut reader = csv::Reader::from_path(path).map_err(ResultError::csv(path))?;
+        let header = reader.headers().map_err(ResultError::csv(path))?;
+        let mut history = Self::new(header.iter().map(str::to_owned).collect());
+        for record in reader.records() {
+            let record = record.map_err(ResultError::csv(path))?;
+            let mut row = Vec::with_capacity(history.columns.len());
+            for (cell, column) in record.iter().zip(&history.columns) {
+                row.push(parse(cell).map_err(|text| ResultError::NotANumber {
+                    path: path.to_path_buf(),
+                    line: record.position().map_or(0, csv::Position::line),
+                    column: column.clone(),
+                    text,
+                })?);
+            }
+            history.push(row)?;
+        }
+        Ok(history)
+    }
+}
+
+/// The shortest decimal that reads back to the same bits, with an exponent only below 1e-5 and from 1e16 on.
+fn decimal(value: f64) -> String {
+    let mut text = format!("{value:?}");
+    if text.ends_with(".0") {
+        text.truncate(text.len() - 2);
+    }
+    text
+}
+
+/// A cell as a number, or its text where it is none.
+fn parse(cell: &str) -> Result<Option<f64>, String> {
+    if cell.is_empty() {
+        return Ok(None);
+    }
+    cell.parse().map(Some).map_err(|_| cell.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_reads_back_to_the_last_bit() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        let mut history = History::new(vec!["time_s".into(), "B_speed_m_s".into()]);
+        let awkward = [0.1 + 0.2, -0.0, 1e-7, 5e-324, f64::MAX, 123456789.0, 1.0 / 3.0];
+        for (step, value) in awkward.into_iter().enumerate() {
+            history.push(vec![Some(step as f64 * 1e-3), Some(value)]).unwrap();
+        }
+        history.push(vec![Some(1.0), None]).unwrap();
+        history.write(&path).unwrap();
+
+        let read_back = History::read(&path).unwrap();
+        let bits = |history: &History| -> Vec<Option<u64>> {
+            history.rows().iter().flatten().map(|cell| cell.map(f64::to_bits)).collect()
+        };
+        assert_eq!(bits(&read_back), bits(&history));
+        assert_eq!(read_back.columns(), history.columns());
+        assert_eq!(read_back.values("B_speed_m_s").unwrap().last(), Some(None));
+        assert!(read_back.values("C_speed_m_s").is_none());
+    }
+
+    #[test]
+    fn decimals_are_the_shortest() {
+        let shortest = [
+            (0.0, "0"),
+            (50.0, "50"),
+            (0.001, "0.001"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (1e-7, "1e-7"),
+            (-2.5, "-2.5"),
+            (1e16, "1e16"),
+        ];
+        for (value, text) in shortest {
+            assert_eq!(decimal(value), text);
+        }
+    }
+
+    #[test]
+    fn a_bad_cell_is_named_by_line_and_column() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("history.csv");
+        std::fs::write(&path, "time_s,area_m2\n0,1\n0.001,wide\n").unwrap();
+        let error = History::read(&path).unwrap_err().to_string();
+        assert!(error.contains("line 3") && error.contains("area_m2") && error.contains("`wide`"), "{error}");
+    }
+
+    #[test]
+    fn no_column_stands_twice() {
+        let names = columns(&["B", "tractor"], &["ring"], &["kinetic"]);
+        assert_eq!(names.iter().filter(|name| *name == "tractor_travel_m").count(), 1);
+        assert!(names.contains(&"tractor_speed_m_s".to_string()));
+    }
+
+    #[test]
+    fn a_row_of_the_wrong_length_is_refused() {
+        let mut history = History::new(columns(&["A"], &["traction"], &[]));
+        assert!(matches!(history.push(vec![None]), Err(ResultError::Length { expected: 16, found: 1, .. })));
+    }
+}

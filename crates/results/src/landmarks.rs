@@ -1,0 +1,52 @@
+//! What of a system has a meaning: the launch axis, the outline, corners, tractors, feature points, link classes.
+//!
+//! The system itself knows nodes and segments by number only. Who makes the system says here what they are.
+
+use glam::DVec3;
+
+/// A place that is followed: a node, or the mean of several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Landmark {
+    /// Its name in the results, such as "B" or "tractor".
+    pub name: String,
+    /// The nodes whose mean it is; not empty.
+    pub nodes: Vec<usize>,
+    /// The segments of rope that meet there.
+    pub segments: Vec<usize>,
+}
+
+/// A link class.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkClass {
+    /// Its name in the results.
+    pub name: String,
+    /// Whether it is made of ropes; canopy members are not, and do not count for the largest tension.
+    pub is_rope: bool,
+    /// Strength of its weakest rope, N, where one is given.
+    pub strength: Option<f64>,
+}
+
+/// The meanings of a system's nodes and segments.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Landmarks {
+    /// The launch axis, a unit vector in the world frame.
+    pub axis: DVec3,
+    /// The closed outline; each vertex the mean of its nodes. Empty where there is none.
+    pub outline: Vec<Vec<usize>>,
+    /// Area of the outline of the flat web along the axis, m^2.
+    pub reference_area: Option<f64>,
+    /// How far the middle of the flat web lies above its outline along the axis, m; zero for a plane web.
+    pub flat_posture: f64,
+    /// The tractors, in order around the web.
+    pub tractors: Vec<usize>,
+    /// Corners of the web.
+    pub corners: Vec<usize>,
+    /// The web's centre is the mean of these nodes.
+    pub centre: Vec<usize>,
+    /// Feature points, then tractor, corner and centre, each where it exists.
+    pub points: Vec<Landmark>,
+    /// The segments of rope that meet the bottom, point B.
+    pub bottom: Vec<usize>,
+    /// Link classes, in the order of the system's class numbers.
+    pub classes: Vec<LinkClass>,
+}

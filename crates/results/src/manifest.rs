@@ -1,0 +1,216 @@
+//! `manifest.json`: who ran what, where and when.
+//!
+//! Everything here may differ between two runs of the same scenario; everything that must not differ is elsewhere. The
+//! manifest is also the mark by which netcast knows a folder of its own.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use time::OffsetDateTime;
+use time::format_description::well_known::Rfc3339;
+
+use crate::ResultError;
+use crate::folder::MANIFEST;
+
+/// The program's name, as the manifest gives it.
+const PROGRAM: &str = "netcast";
+
+/// Where a result comes from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// The program that wrote the folder: `netcast`.
+    pub program: String,
+    /// Its version.
+    pub version: String,
+    /// The commit it was built from, where it was built in its repository.
+    pub revision: Option<String>,
+    /// SHA-256 of the `inputs` folder, by [`hash_inputs`].
+    pub input_hash: String,
+    /// The machine it ran on.
+    pub machine: Machine,
+    /// Threads used.
+    pub threads: usize,
+    /// Seed of the random numbers, where any were drawn.
+    pub seed: Option<u64>,
+    /// Time the run took on the clock, s.
+    pub wall_time_s: f64,
+    /// When it started: UTC, RFC 3339, to the second.
+    pub started: String,
+}
+
+/// The machine that a result was computed on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system, such as `linux`.
+    pub os: String,
+    /// Instruction set, such as `x86_64`.
+    pub arch: String,
+    /// The processor's own name, where the system tells it.
+    pub cpu: Option<String>,
+    /// Threads that can run at once.
+    pub cores: Option<usize>,
+}
+
+impl Manifest {
+    /// The manifest of a run that starts now, on `threads` threads; the wall time is filled in at its end.
+    pub fn new(input_hash: String, machine: Machine, threads: usize) -> Self {
+        Self {
+            program: PROGRAM.into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            revision: option_env!("NETCAST_REVISION").map(str::to_owned),
+            input_hash,
+            machine,
+            threads,
+            seed: None,
+            wall_time_s: 0.0,
+            started: rfc3339(OffsetDateTime::now_utc()),
+        }
+    }
+
+    /// Writes the manifest to `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn write(&self, path: &Path) -> Result<(), ResultError> {
+        let mut text = serde_json::to_string_pretty(self).expect("plain data");
+        text.push('\n');
+        fs::write(path, text).map_err(ResultError::write(path))
+    }
+
+    /// Reads a manifest from `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
+    pub fn read(path: &Path) -> Result<Self, ResultError> {
+        let text = fs::read_to_string(path).map_err(ResultError::read(path))?;
+        serde_json::from_str(&text).map_err(ResultError::json(path))
+    }
+
+    /// Whether a manifest in `folder` names netcast; of any version, so only the name is looked at.
+    pub fn marks(folder: &Path) -> bool {
+        fs::read_to_string(folder.join(MANIFEST))
+            .ok()
+            .and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok())
+            .is_some_and(|manifest| manifest["program"] == PROGRAM)
+    }
+}
+
+impl Machine {
+    /// The machine this runs on.
+    pub fn this() -> Self {
+        Self {
+            os: std::env::consts::OS.into(),
+            arch: std::env::consts::ARCH.into(),
+            cpu: cpu_name(),
+            cores: available_parallelism().ok().map(usize::from),
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+fn cpu_name() -> Option<String> {
+    let text = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    line.split_once(':').map(|(_, name)| name.trim().to_owned())
+}
+
+#[cfg(target_os = "macos")]
+fn cpu_name() -> Option<String> {
+    let output = std::process::Command::new("sysctl").args(["-n", "machdep.cpu.brand_string"]).output().ok()?;
+    String::from_utf8(output.stdout).ok().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty())
+}
+
+#[cfg(not(any(target_os = "linux", target_os = "macos")))]
+fn cpu_name() -> Option<String> {
+    std::env::var("PROCESSOR_IDENTIFIER").ok()
+}
+
+/// A moment as `2026-11-22T01:33:00Z`.
+fn rfc3339(moment: OffsetDateTime) -> String {
+    let to_the_second = moment.replace_nanosecond(0).expect("zero is a nanosecond");
+    to_the_second.format(&Rfc3339).expect("a clock between the years 0 and 9999")
+}
+
+/// SHA-256 over the files under `folder` in the order of their names, as hexadecimal: of each its relative path with
+/// forward slashes, its length and its bytes, so that no two folders run into one another.
+///
+/// # Errors
+/// [`ResultError::Read`] where a file cannot be read.
+pub fn hash_inputs(folder: &Path) -> Result<String, ResultError> {
+    let mut files = Vec::new();
+    collect_files(folder, "", &mut files)?;
+    files.sort();
+    let mut hasher = Sha256::new();
+    for (name, path) in files {
+        let content = fs::read(&path).map_err(ResultError::read(&path))?;
+        for part in [name.as_bytes(), &content] {
+            hasher.update((part.len() as u64).to_le_bytes());
+            hasher.update(part);
+        }
+    }
+    Ok(hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+fn collect_files(folder: &Path, prefix: &str, files: &mut Vec<(String, PathBuf)>) -> Result<(), ResultError> {
+    for entry in fs::read_dir(folder).map_err(ResultError::read(folder))? {
+        let entry = entry.map_err(ResultError::read(folder))?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            collect_files(&entry.path(), &format!("{name}/"), files)?;
+        } else {
+            files.push((name, entry.path()));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_moment_is_told_in_utc_to_the_second() {
+        // 1 700 000 000 s after the epoch, a date that anyone can look up
+        let moment = OffsetDateTime::from_unix_timestamp_nanos(1_700_000_000_987_654_321).unwrap();
+        assert_eq!(rfc3339(moment), "2023-11-14T22:13:20Z");
+    }
+
+    #[test]
+    fn a_manifest_reads_back_equal_and_marks_its_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(!Manifest::marks(folder.path()));
+        let manifest = Manifest::new("0f".into(), Machine::this(), 2);
+        manifest.write(&folder.path().join(MANIFEST)).unwrap();
+        assert_eq!(Manifest::read(&folder.path().join(MANIFEST)).unwrap(), manifest);
+        assert!(Manifest::marks(folder.path()));
+    }
+
+    #[test]
+    fn a_revision_is_a_commit() {
+        if let Some(revision) = option_env!("NETCAST_REVISION") {
+            assert!(revision.len() >= 40 && revision.bytes().all(|byte| byte.is_ascii_hexdigit()), "{revision}");
+        }
+    }
+
+    #[test]
+    fn inputs_are_hashed_by_content_and_name_whatever_the_order_of_writing() {
+        let hash = |files: &[(&str, &str)]| {
+            let folder = tempfile::tempdir().unwrap();
+            fs::create_dir(folder.path().join("deep")).unwrap();
+            for (name, content) in files {
+                fs::write(folder.path().join(name), content).unwrap();
+            }
+            hash_inputs(folder.path()).unwrap()
+        };
+        let written = hash(&[("scenario.toml", "a"), ("deep/nodes.csv", "b")]);
+        assert_eq!(written.len(), 64);
+        assert_eq!(written, hash(&[("deep/nodes.csv", "b"), ("scenario.toml", "a")]));
+        assert_ne!(written, hash(&[("scenario.toml", "b"), ("deep/nodes.csv", "a")]));
+        assert_ne!(written, hash(&[("scenario.toml", "a"), ("deep/ropes.csv", "b")]));
+        // an empty folder hashes nothing at all: the value published with SHA-256
+        assert_eq!(hash(&[]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+}

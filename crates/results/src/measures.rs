@@ -1,0 +1,314 @@
+//! What is measured at every step: openings, speeds, travels, tensions, posture. The definitions are the contract's.
+//!
+//! Areas: with S = 1/2 sum r_i x r_(i+1) over a closed polygon, the area is |S . axis| and the vector area |S|.
+//! Travel: displacement along the launch axis since launch. Height: world z above the muzzle, which is the origin.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+use netcast_dynamics::simulate::Live;
+
+use crate::landmarks::Landmarks;
+use crate::spell::Spells;
+use crate::summary::{ClassTension, Opening, PointExtremes, Posture, Tension};
+
+/// Share of the reference area from which the web counts as open.
+const EFFECTIVE: f64 = 0.8;
+/// Posture beyond which the web counts as concave (below) or convex (above).
+const POSTURE: f64 = 0.02;
+/// Share of its own peak travel at which a point counts as started.
+const STARTED: f64 = 0.01;
+
+/// A largest value and its time.
+#[derive(Debug, Clone, Copy, Default)]
+struct Peak(Option<(f64, f64)>);
+
+impl Peak {
+    /// Whether `value` is the largest so far.
+    fn add(&mut self, time: f64, value: f64) -> bool {
+        let larger = self.0.is_none_or(|(largest, _)| value > largest);
+        if larger {
+            self.0 = Some((value, time));
+        }
+        larger
+    }
+
+    fn value(&self) -> Option<f64> {
+        self.0.map(|(value, _)| value)
+    }
+
+    fn time(&self) -> Option<f64> {
+        self.0.map(|(_, time)| time)
+    }
+}
+
+/// Half the sum of r_i x r_(i+1) over a closed polygon, m^2.
+pub fn vector_area(mut vertices: impl Iterator<Item = DVec3>) -> DVec3 {
+    let Some(first) = vertices.next() else { return DVec3::ZERO };
+    let mut sum = DVec3::ZERO;
+    let mut last = first;
+    for vertex in vertices.chain([first]) {
+        // relative to the first vertex: large common offsets cancel before they are multiplied
+        sum += (last - first).cross(vertex - first);
+        last = vertex;
+    }
+    0.5 * sum
+}
+
+/// Mean of `of` over some nodes.
+pub fn mean(nodes: &[usize], of: impl Fn(usize) -> DVec3) -> DVec3 {
+    match nodes {
+        [node] => of(*node),
+        _ => nodes.iter().map(|&n| of(n)).sum::<DVec3>() / nodes.len() as f64,
+    }
+}
+
+/// How far the middle leads the outline along the axis, over the square root of the reference area, both from the flat web.
+pub fn posture(landmarks: &Landmarks, position: &dyn Fn(usize) -> DVec3) -> Option<f64> {
+    let size = landmarks.reference_area?.sqrt();
+    let count = landmarks.outline.len() as f64;
+    let rim = landmarks.outline.iter().map(|nodes| mean(nodes, position)).sum::<DVec3>() / count;
+    let lead = (mean(&landmarks.centre, position) - rim).dot(landmarks.axis) - landmarks.flat_posture;
+    (size > 0.0).then(|| lead / size)
+}
+
+/// Extremes of one landmark.
+#[derive(Debug, Clone)]
+struct PointMeasures {
+    start: DVec3,
+    speed: Peak,
+    travel: Peak,
+    height: Peak,
+    /// Time, travel and bottom-tension integral whenever the travel had grown by another part in a thousand: enough to find, at the end, when 1 % of the peak was reached.
+    growth: Vec<(f64, f64, f64)>,
+}
+
+/// Everything that is measured at every step.
+pub struct Measures {
+    landmarks: Landmarks,
+    points: Vec<PointMeasures>,
+    area: Peak,
+    vector_area: Peak,
+    tractor_area: Peak,
+    effective: Spells,
+    concave: Spells,
+    convex: Spells,
+    classes: Vec<Peak>,
+    largest: Vec<f64>,
+    bottom: Peak,
+    /// Integral of the mean bottom tension over time, N s, and its value when the area was largest.
+    bottom_integral: f64,
+    bottom_integral_at_area_max: f64,
+}
+
+impl Measures {
+    /// Starts measuring at `position`s of time 0.
+    pub fn new(landmarks: Landmarks, position: &[DVec3]) -> Measures {
+        let at = |node: usize| position[node];
+        let points = landmarks
+            .points
+            .iter()
+            .map(|p| PointMeasures {
+                start: mean(&p.nodes, at),
+                speed: Peak::default(),
+                travel: Peak::default(),
+                height: Peak::default(),
+                growth: Vec::new(),
+            })
+            .collect();
+        let classes = vec![Peak::default(); landmarks.classes.len()];
+        let largest = vec![0.0; landmarks.classes.len()];
+        let mut measures = Measures {
+            landmarks,
+            points,
+            area: Peak::default(),
+            vector_area: Peak::default(),
+            tractor_area: Peak::default(),
+            effective: Spells::default(),
+            concave: Spells::default(),
+            convex: Spells::default(),
+            classes,
+            largest,
+            bottom: Peak::default(),
+            bottom_integral: 0.0,
+            bottom_integral_at_area_max: 0.0,
+        };
+        measures.shape(0.0, &at);
+        measures
+    }
+
+    /// Travel of landmark `index` at `position`, m.
+    pub fn travel(&self, index: usize, position: DVec3) -> f64 {
+        (position - self.points[index].start).dot(self.landmarks.axis)
+    }
+
+    /// What is measured.
+    pub fn landmarks(&self) -> &Landmarks {
+        &self.landmarks
+    }
+
+    /// Takes a step into account.
+    pub fn step(&mut self, live: &Live) {
+        live.net.largest_tensions(&mut self.largest);
+        for (peak, &tension) in self.classes.iter_mut().zip(&self.largest) {
+            peak.add(live.tension_time, tension);
+        }
+        if !self.landmarks.bottom.is_empty() {
+            self.bottom(live.tension_time, live.dt, &|segment| live.net.tension(segment));
+        }
+        for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
+            let velocity = mean(&landmark.nodes, |n| live.net.half_step_velocity(n));
+            point.speed.add(live.velocity_time, velocity.length());
+        }
+        self.shape(live.position_time, &|node| live.net.position(node));
+    }
+
+    /// Takes the state at launch or at the end into account, of which [`Measures::step`] sees only a part.
+    pub fn ends(&mut self, time: f64, velocity: &[DVec3], tension: &[f64], class_of: &dyn Fn(usize) -> usize) {
+        for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
+            point.speed.add(time, mean(&landmark.nodes, |n| velocity[n]).length());
+        }
+        for (segment, &tension) in tension.iter().enumerate() {
+            self.classes[class_of(segment)].add(time, tension);
+        }
+    }
+
+    fn bottom(&mut self, time: f64, dt: f64, tension: &dyn Fn(usize) -> f64) {
+        let mut sum = 0.0;
+        for &segment in &self.landmarks.bottom {
+            let tension = tension(segment);
+            self.bottom.add(time, tension);
+            sum += tension;
+        }
+        self.bottom_integral += dt * sum / self.landmarks.bottom.len() as f64;
+    }
+
+    /// All that follows from positions alone.
+    fn shape(&mut self, time: f64, position: &dyn Fn(usize) -> DVec3) {
+        let (landmarks, axis) = (&self.landmarks, self.landmarks.axis);
+        if !landmarks.outline.is_empty() {
+            let area = vector_area(landmarks.outline.iter().map(|nodes| mean(nodes, position)));
+            let along = area.dot(axis).abs();
+            if self.area.add(time, along) {
+                self.bottom_integral_at_area_max = self.bottom_integral;
+            }
+            self.vector_area.add(time, area.length());
+            if let Some(reference) = landmarks.reference_area {
+                self.effective.add(time, along - EFFECTIVE * reference);
+            }
+            if let Some(p) = posture(landmarks, position) {
+                self.concave.add(time, -POSTURE - p);
+                self.convex.add(time, p - POSTURE);
+            }
+        }
+        if landmarks.tractors.len() >= 3 {
+            let area = vector_area(landmarks.tractors.iter().map(|&n| position(n)));
+            self.tractor_area.add(time, area.dot(axis).abs());
+        }
+        for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
+            let place = mean(&landmark.nodes, position);
+            let travel = (place - point.start).dot(axis);
+            if point.travel.add(time, travel) && travel > 1.001 * point.growth.last().map_or(0.0, |g| g.1) {
+                point.growth.push((time, travel, self.bottom_integral));
+            }
+            point.height.add(time, place.z);
+        }
+    }
+
+    /// The summary's parts: opening, points, tension, posture.
+    pub fn finish(self) -> (Opening, BTreeMap<String, Option<PointExtremes>>, Tension, Posture) {
+        let (effective, duration) = self.effective.clone().finish();
+        let opening = Opening {
+            area_max_m2: self.area.value(),
+            area_max_time_s: self.area.time(),
+            reference_area_m2: self.landmarks.reference_area,
+            vector_area_max_m2: self.vector_area.value(),
+            effective_from_s: effective.map(|(from, _)| from),
+            effective_to_s: effective.map(|(_, to)| to),
+            effective_duration_s: self.landmarks.reference_area.map(|_| duration),
+            tractor_area_max_m2: self.tractor_area.value(),
+            tractor_area_max_time_s: self.tractor_area.time(),
+        };
+        let tension = self.tension();
+        let convex_from_s = self.convex.first();
+        let (concave, _) = self.concave.finish();
+        let posture = Posture {
+            concave_from_s: concave.map(|(from, _)| from),
+            concave_to_s: concave.map(|(_, to)| to),
+            convex_from_s,
+        };
+
+        let mut points: BTreeMap<String, Option<PointExtremes>> =
+            ["A", "B", "C", "D", "tractor", "corner", "centre"].map(|name| (name.to_owned(), None)).into();
+        for (point, landmark) in self.points.into_iter().zip(self.landmarks.points) {
+            points.insert(landmark.name, Some(point.finish()));
+        }
+        (opening, points, tension, posture)
+    }
+
+    fn tension(&self) -> Tension {
+        let mut tension = Tension::default();
+        for (class, peak) in self.landmarks.classes.iter().zip(&self.classes) {
+            let max_n = peak.value().unwrap_or(0.0);
+            let pulled = max_n > 0.0;
+            let max_time_s = peak.time().filter(|_| pulled);
+            let margin = class.strength.filter(|_| pulled).map(|strength| strength / max_n);
+            tension.by_class.insert(class.name.clone(), ClassTension { max_n, max_time_s, margin });
+            if class.is_rope && max_n > tension.max_n {
+                (tension.max_n, tension.max_time_s) = (max_n, max_time_s);
+                tension.max_where = Some(class.name.clone());
+            }
+        }
+        tension.bottom_max_n = self.bottom.value();
+        tension.bottom_mean_n = self.bottom_mean();
+        tension
+    }
+
+    /// Mean bottom tension from B's start to the time of the largest area, N.
+    fn bottom_mean(&self) -> Option<f64> {
+        let b = self.landmarks.points.iter().position(|p| p.name == "B")?;
+        let (start, _, integral_at_start) = self.points[b].start_of_motion()?;
+        let end = self.area.time()?;
+        (end > start).then(|| (self.bottom_integral_at_area_max - integral_at_start) / (end - start))
+    }
+}
+
+impl PointMeasures {
+    /// (time, travel, bottom integral) when the point first reached 1 % of its peak travel.
+    fn start_of_motion(&self) -> Option<(f64, f64, f64)> {
+        let level = STARTED * self.travel.value()?;
+        self.growth.iter().copied().find(|g| g.1 >= level)
+    }
+
+    fn finish(self) -> PointExtremes {
+        PointExtremes {
+            peak_speed_m_s: self.speed.value(),
+            peak_speed_time_s: self.speed.time(),
+            peak_travel_m: self.travel.value(),
+            peak_travel_time_s: self.travel.time(),
+            peak_height_m: self.height.value(),
+            starts_s: self.start_of_motion().map(|g| g.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_area_of_a_tilted_rectangle_far_away() {
+        let (along, across) = (DVec3::new(3.0, 0.0, 4.0), DVec3::new(0.0, 2.0, 0.0));
+        let far = DVec3::new(1e6, -2e6, 3e6);
+        let area = vector_area([far, far + along, far + along + across, far + across].into_iter());
+        assert!((area.length() - 10.0).abs() < 1e-8);
+        assert!((area.dot(DVec3::Z) - 6.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_peak_keeps_the_first_of_equals() {
+        let mut peak = Peak::default();
+        assert!(peak.add(0.0, 1.0) && peak.add(1.0, 2.0) && !peak.add(2.0, 2.0));
+        assert_eq!((peak.value(), peak.time()), (Some(2.0), Some(1.0)));
+    }
+}

@@ -1,0 +1,289 @@
+//! `summary.json`: the run in a page of numbers.
+//!
+//! Fields stand in the order of the file and carry its names. `None` is written as `null`: the scenario has no such
+//! thing (no outline, no tractor, nothing launched), or it never happened. A number that is not finite is refused,
+//! since JSON would turn it into the same `null`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::ResultError;
+
+/// The run in numbers; SI throughout.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Summary {
+    /// The scenario's title.
+    pub title: String,
+    /// Version of netcast that ran it.
+    pub netcast: String,
+    /// Time the computation took on the clock, s. The one number here that differs between two equal runs.
+    pub wall_time_s: f64,
+    /// Whether the run reached its end.
+    pub finished: bool,
+    /// Size and mass of what was simulated.
+    pub model: Model,
+    /// The time step.
+    pub step: Step,
+    /// How far and how long the web opened.
+    pub opening: Opening,
+    /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
+    pub points: BTreeMap<String, Option<PointExtremes>>,
+    /// Rope tension.
+    pub tension: Tension,
+    /// Whether the middle trails or leads.
+    pub posture: Posture,
+    /// The energy ledger and how well it closes.
+    pub energy: Energy,
+    /// What the reader should know before trusting the numbers.
+    pub warnings: Vec<String>,
+}
+
+/// Size and mass of the model.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Model {
+    /// Number of nodes.
+    pub nodes: usize,
+    /// Number of rope segments.
+    pub segments: usize,
+    /// Length of all ropes at rest, m.
+    pub rope_length_m: f64,
+    /// Mass of the web with its traction ropes, canopies and payloads, without tractors, kg.
+    pub web_mass_kg: f64,
+    /// Mass of all tractors, kg.
+    pub tractor_mass_kg: Option<f64>,
+}
+
+/// The time step and what holds it down.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Step {
+    /// Step size, s.
+    pub dt_s: f64,
+    /// Steps taken.
+    pub count: u64,
+    /// The stiffest or lightest place of the model, in words.
+    pub limited_by: Option<String>,
+}
+
+/// How far the web opened, and for how long.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Opening {
+    /// Largest outline area normal to the launch axis, m².
+    pub area_max_m2: Option<f64>,
+    /// When it occurred, s.
+    pub area_max_time_s: Option<f64>,
+    /// The outline area of the web as designed, flat, m².
+    pub reference_area_m2: Option<f64>,
+    /// Largest magnitude of the outline's vector area, m².
+    pub vector_area_max_m2: Option<f64>,
+    /// Start of the longest spell with at least 80 % of the reference area, s.
+    pub effective_from_s: Option<f64>,
+    /// End of that spell, s.
+    pub effective_to_s: Option<f64>,
+    /// All the time with at least 80 % of the reference area, s.
+    pub effective_duration_s: Option<f64>,
+    /// Largest area of the tractors' polygon normal to the launch axis, m².
+    pub tractor_area_max_m2: Option<f64>,
+    /// When it occurred, s.
+    pub tractor_area_max_time_s: Option<f64>,
+}
+
+/// Extremes of one point over every step.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PointExtremes {
+    /// Highest speed, m/s.
+    pub peak_speed_m_s: Option<f64>,
+    /// When it occurred, s.
+    pub peak_speed_time_s: Option<f64>,
+    /// Farthest displacement along the launch axis, m.
+    pub peak_travel_m: Option<f64>,
+    /// When it occurred, s.
+    pub peak_travel_time_s: Option<f64>,
+    /// Greatest height above the muzzle, m.
+    pub peak_height_m: Option<f64>,
+    /// When the point first reached 1 % of its peak travel, s.
+    pub starts_s: Option<f64>,
+}
+
+/// Rope tension, per rope, over every step.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Tension {
+    /// Highest tension, N.
+    pub max_n: f64,
+    /// When it occurred, s.
+    pub max_time_s: Option<f64>,
+    /// The link class of the rope that bore it.
+    pub max_where: Option<String>,
+    /// Highest tension in the segments that meet point B, N.
+    pub bottom_max_n: Option<f64>,
+    /// Their mean from B's start to the time of largest area, N.
+    pub bottom_mean_n: Option<f64>,
+    /// The extremes of each link class.
+    pub by_class: BTreeMap<String, ClassTension>,
+}
+
+/// Highest tension in one link class.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ClassTension {
+    /// Highest tension, N.
+    pub max_n: f64,
+    /// When it occurred, s.
+    pub max_time_s: Option<f64>,
+    /// Strength over highest tension, where a strength is given.
+    pub margin: Option<f64>,
+}
+
+/// When the middle trails the outline and when it leads.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Posture {
+    /// Start of the longest spell in which the middle trails, s.
+    pub concave_from_s: Option<f64>,
+    /// End of that spell, s.
+    pub concave_to_s: Option<f64>,
+    /// The middle first leads, s.
+    pub convex_from_s: Option<f64>,
+}
+
+/// The energy ledger at the end of the run.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Energy {
+    /// Total at the start, J.
+    pub initial_j: f64,
+    /// Total at the end, J.
+    pub final_j: f64,
+    /// |residual| over the largest total energy of the run.
+    pub closure: f64,
+    /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
+    pub closure_web: Option<f64>,
+    /// Each channel, integrated in its own right, J.
+    pub channels: BTreeMap<String, f64>,
+    /// What the channels leave unexplained at the end, J.
+    pub residual_j: f64,
+    /// The largest of it at any record time, J; what `closure` and `closure_web` go by.
+    pub largest_residual_j: f64,
+    /// The closure that the run was asked to reach.
+    pub tolerance: f64,
+    /// The closure of the web that it was asked to reach.
+    pub tolerance_web: f64,
+}
+
+impl Summary {
+    /// The summary as JSON text, with a newline at its end. Decimals are the shortest that read back equal.
+    ///
+    /// # Errors
+    /// [`ResultError::NotFinite`] names the section that holds an infinity or a NaN.
+    pub fn to_json(&self) -> Result<String, ResultError> {
+        if !self.wall_time_s.is_finite() {
+            return Err(ResultError::NotFinite { section: "wall_time_s" });
+        }
+        require_finite("model", &self.model)?;
+        require_finite("step", &self.step)?;
+        require_finite("opening", &self.opening)?;
+        require_finite("points", &self.points)?;
+        require_finite("tension", &self.tension)?;
+        require_finite("posture", &self.posture)?;
+        require_finite("energy", &self.energy)?;
+        let mut text = serde_json::to_string_pretty(self).expect("string keys and plain data");
+        text.push('\n');
+        Ok(text)
+    }
+
+    /// Writes the summary to `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::NotFinite`], or [`ResultError::Write`].
+    pub fn write(&self, path: &Path) -> Result<(), ResultError> {
+        fs::write(path, self.to_json()?).map_err(ResultError::write(path))
+    }
+
+    /// Reads a summary from `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
+    pub fn read(path: &Path) -> Result<Self, ResultError> {
+        let text = fs::read_to_string(path).map_err(ResultError::read(path))?;
+        serde_json::from_str(&text).map_err(ResultError::json(path))
+    }
+}
+
+/// Holds `value` to what reading it back gives: serde_json writes a number that is not finite as `null`, which is an
+/// error for a number and `None`, so unequal, for an optional one.
+fn require_finite<T>(section: &'static str, value: &T) -> Result<(), ResultError>
+where
+    T: Serialize + for<'text> Deserialize<'text> + PartialEq,
+{
+    let read_back = serde_json::to_value(value).and_then(serde_json::from_value::<T>);
+    match read_back {
+        Ok(equal) if equal == *value => Ok(()),
+        _ => Err(ResultError::NotFinite { section }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The keys a user's script relies on, from the contract.
+    const CONTRACT: &str = r#"{
+      "title": "", "netcast": "0.1.0", "wall_time_s": 0.0, "finished": true,
+      "model":   {"nodes": 0, "segments": 0, "rope_length_m": 0.0, "web_mass_kg": 0.0, "tractor_mass_kg": 0.0},
+      "step":    {"dt_s": 0.0, "count": 0, "limited_by": "segment 12 of traction rope 3"},
+      "opening": {"area_max_m2": 0.0, "area_max_time_s": 0.0, "reference_area_m2": 0.0, "vector_area_max_m2": 0.0,
+                  "effective_from_s": 0.0, "effective_to_s": 0.0, "effective_duration_s": 0.0,
+                  "tractor_area_max_m2": 0.0, "tractor_area_max_time_s": 0.0},
+      "points":  {"A": {"peak_speed_m_s": 0.0, "peak_speed_time_s": 0.0, "peak_travel_m": 0.0,
+                        "peak_travel_time_s": 0.0, "peak_height_m": 0.0, "starts_s": 0.0}},
+      "tension": {"max_n": 0.0, "max_time_s": 0.0, "max_where": "traction", "bottom_max_n": 0.0, "bottom_mean_n": 0.0,
+                  "by_class": {"traction": {"max_n": 0.0, "max_time_s": 0.0, "margin": null}}},
+      "posture": {"concave_from_s": 0.0, "concave_to_s": 0.0, "convex_from_s": 0.0},
+      "energy":  {"initial_j": 0.0, "final_j": 0.0, "closure": 0.0, "closure_web": 0.0, "channels": {}}
+    }"#;
+
+    fn sample() -> Summary {
+        let mut summary = Summary { title: "A \"net\"".into(), netcast: "0.1.0".into(), ..Summary::default() };
+        summary.points.insert("A".into(), Some(PointExtremes::default()));
+        summary.tension.by_class.insert("traction".into(), ClassTension { max_n: 0.1 + 0.2, ..Default::default() });
+        summary
+    }
+
+    fn assert_keys(expected: &serde_json::Value, found: &serde_json::Value, path: &str) {
+        let serde_json::Value::Object(expected) = expected else { return };
+        let found = found.as_object().unwrap_or_else(|| panic!("{path} is no object"));
+        let common: Vec<&String> = found.keys().filter(|key| expected.contains_key(*key)).collect();
+        assert_eq!(common, expected.keys().collect::<Vec<_>>(), "keys of {path}");
+        for (key, value) in expected {
+            assert_keys(value, &found[key], &format!("{path}.{key}"));
+        }
+    }
+
+    #[test]
+    fn every_key_of_the_contract_is_present_and_in_order_even_when_null() {
+        let expected = serde_json::from_str(CONTRACT).unwrap();
+        let found = serde_json::from_str(&sample().to_json().unwrap()).unwrap();
+        assert_keys(&expected, &found, "summary");
+    }
+
+    #[test]
+    fn numbers_read_back_to_the_last_bit_in_their_shortest_form() {
+        let text = sample().to_json().unwrap();
+        assert!(text.contains("0.30000000000000004"));
+        assert_eq!(serde_json::from_str::<Summary>(&text).unwrap(), sample());
+    }
+
+    #[test]
+    fn a_number_that_is_not_finite_is_refused_and_its_section_named() {
+        let mut required = sample();
+        required.energy.closure = f64::INFINITY;
+        assert!(matches!(required.to_json(), Err(ResultError::NotFinite { section: "energy" })));
+
+        let mut optional = sample();
+        optional.opening.area_max_m2 = Some(f64::NAN);
+        assert!(matches!(optional.to_json(), Err(ResultError::NotFinite { section: "opening" })));
+
+        let mut nested = sample();
+        nested.points.insert("B".into(), Some(PointExtremes { starts_s: Some(f64::NAN), ..Default::default() }));
+        assert!(matches!(nested.to_json(), Err(ResultError::NotFinite { section: "points" })));
+    }
+}

@@ -1,0 +1,232 @@
+//! The bill of materials: what a web is made of, how heavy it is and how much room it takes.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use crate::{Class, Web};
+
+/// Share of a packed web's volume that is solid: an assumption, for rope laid in by hand. (Parallel round rods could
+/// fill 0.91, rods thrown in at random much less.)
+pub const PACKED_FILL: f64 = 0.5;
+
+/// A kind of rope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RopeKind {
+    /// What it is called.
+    pub name: String,
+    /// Diameter, m.
+    pub diameter: f64,
+    /// Mass of a metre, kg/m.
+    pub mass_per_metre: f64,
+}
+
+/// A canopy or a payload as an item on the bill.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Solid {
+    /// Mass of one, kg.
+    pub mass: f64,
+    /// Volume of one, m^3; 0 where it is not known.
+    pub volume: f64,
+}
+
+/// What a web's parts are made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    /// The kinds of rope, in the order in which they are billed.
+    pub ropes: Vec<RopeKind>,
+    /// The kind of each of the web's ropes, as an index into `ropes`.
+    pub kind_of_rope: Vec<usize>,
+    /// A canopy without its payload.
+    pub canopy: Solid,
+    /// The payload that some canopies carry.
+    pub payload: Solid,
+    /// Mass of each tractor, kg.
+    pub tractor_masses: Vec<f64>,
+}
+
+impl Parts {
+    /// The parts of a web whose ropes all are of one kind, without canopies, payloads and tractors; set those fields
+    /// after.
+    pub fn of_one_rope(web: &Web, rope: RopeKind) -> Parts {
+        Parts {
+            ropes: vec![rope],
+            kind_of_rope: vec![0; web.ropes.len()],
+            canopy: Solid::default(),
+            payload: Solid::default(),
+            tractor_masses: Vec::new(),
+        }
+    }
+
+    /// Gives another kind of rope to a class.
+    pub fn assign(&mut self, web: &Web, class: &Class, rope: RopeKind) {
+        let kind = self.ropes.iter().position(|known| *known == rope).unwrap_or_else(|| {
+            self.ropes.push(rope);
+            self.ropes.len() - 1
+        });
+        for (kind_of_rope, rope) in self.kind_of_rope.iter_mut().zip(&web.ropes) {
+            if rope.class == *class {
+                *kind_of_rope = kind;
+            }
+        }
+    }
+}
+
+/// A kind of rope on the bill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RopeLine {
+    /// What it is called.
+    pub name: String,
+    /// Diameter, m.
+    pub diameter: f64,
+    /// How much of it, m.
+    pub length: f64,
+    /// Its mass, kg.
+    pub mass: f64,
+}
+
+/// What a web is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bill {
+    /// Ropes by kind; kinds that are not used are left out.
+    pub ropes: Vec<RopeLine>,
+    /// Length of rope in each class, m.
+    pub length_by_class: BTreeMap<Class, f64>,
+    /// Knots: places where ropes are tied, tractors not counted.
+    pub knots: usize,
+    /// Pieces of rope from knot to knot.
+    pub rope_count: usize,
+    /// Canopies.
+    pub canopies: usize,
+    /// Payloads.
+    pub payloads: usize,
+    /// Tractors.
+    pub tractors: usize,
+    /// Mass of the web's ropes without the traction ropes, kg.
+    pub web_rope_mass: f64,
+    /// Mass of the traction ropes, kg.
+    pub traction_mass: f64,
+    /// Mass of the canopies, kg.
+    pub canopy_mass: f64,
+    /// Mass of the payloads, kg.
+    pub payload_mass: f64,
+    /// Mass of the tractors, kg.
+    pub tractor_mass: f64,
+    /// Solid volume of all ropes, m^3.
+    pub rope_volume: f64,
+    /// Room that ropes, canopies and payloads take when packed, m^3: their solid volume over [`PACKED_FILL`].
+    pub packed_volume: f64,
+}
+
+impl Bill {
+    /// Mass of the web without traction ropes and tractors, kg.
+    pub fn web_mass(&self) -> f64 {
+        self.web_rope_mass + self.canopy_mass + self.payload_mass
+    }
+
+    /// Mass of all that is thrown, kg.
+    pub fn total_mass(&self) -> f64 {
+        self.web_mass() + self.traction_mass + self.tractor_mass
+    }
+}
+
+/// The bill of a web made of these parts. `parts.kind_of_rope` has an entry for each of the web's ropes.
+pub fn bill(web: &Web, parts: &Parts) -> Bill {
+    let mut lines: Vec<RopeLine> = parts
+        .ropes
+        .iter()
+        .map(|kind| RopeLine { name: kind.name.clone(), diameter: kind.diameter, length: 0.0, mass: 0.0 })
+        .collect();
+    let (mut web_rope_mass, mut traction_mass, mut rope_volume) = (0.0, 0.0, 0.0);
+    let mut is_tied = vec![false; web.knots.len()];
+    for (rope, &kind) in web.ropes.iter().zip(&parts.kind_of_rope) {
+        let length = web.rest_length(rope);
+        let RopeKind { diameter, mass_per_metre, .. } = parts.ropes[kind];
+        lines[kind].length += length;
+        lines[kind].mass += mass_per_metre * length;
+        rope_volume += PI / 4.0 * diameter * diameter * length;
+        *(if rope.class == Class::Traction { &mut traction_mass } else { &mut web_rope_mass }) +=
+            mass_per_metre * length;
+        is_tied[rope.a] = true;
+        is_tied[rope.b] = true;
+    }
+    lines.retain(|line| line.length > 0.0);
+    if !web.traction.is_empty() {
+        web.tractors.iter().for_each(|&tractor| is_tied[tractor] = false);
+    }
+
+    let canopies = web.canopies.len();
+    let payloads = web.canopies.iter().filter(|canopy| canopy.carries_payload).count();
+    let solid_volume = rope_volume + canopies as f64 * parts.canopy.volume + payloads as f64 * parts.payload.volume;
+    Bill {
+        ropes: lines,
+        length_by_class: web.rope_length_by_class(),
+        knots: is_tied.iter().filter(|&&tied| tied).count(),
+        rope_count: web.ropes.len(),
+        canopies,
+        payloads,
+        tractors: web.tractors.len(),
+        web_rope_mass,
+        traction_mass,
+        canopy_mass: canopies as f64 * parts.canopy.mass,
+        payload_mass: payloads as f64 * parts.payload.mass,
+        tractor_mass: parts.tractor_masses.iter().sum(),
+        rope_volume,
+        packed_volume: solid_volume / PACKED_FILL,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{space, square, topological, traditional};
+
+    /// 10 mm of a material of 1850 kg/m^3.
+    fn rope() -> RopeKind {
+        RopeKind { name: "10 mm".into(), diameter: 0.01, mass_per_metre: PI / 4.0 * 1e-4 * 1850.0 }
+    }
+
+    #[test]
+    fn masses_of_the_three_webs() {
+        for (web, expected) in [
+            (traditional(2.5, 6).unwrap(), 13.74),
+            (topological(2.5, 0.14).unwrap(), 19.89),
+            (space(2.5, 0.14).unwrap(), 56.77),
+        ] {
+            let web = web.with_traction(1.0355, 1).unwrap();
+            let mut parts = Parts::of_one_rope(&web, rope());
+            parts.canopy.mass = 1.018;
+            parts.payload.mass = 0.506;
+            parts.tractor_masses = vec![27.80; 6];
+            let bill = bill(&web, &parts);
+            assert!((bill.web_mass() - expected).abs() < 0.006, "{}: {}", web.kind.name(), bill.web_mass());
+            let others = 6.0 * (27.80 + 0.1453 * 1.0355);
+            assert!((bill.total_mass() - bill.web_mass() - others).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn the_space_web_has_31_canopies_and_18_payloads() {
+        let web = space(2.5, 0.14).unwrap();
+        let bill = bill(&web, &Parts::of_one_rope(&web, rope()));
+        assert_eq!((bill.canopies, bill.payloads, bill.rope_count), (31, 18, 180));
+        // a plate on the outline has four neighbours, whose sides meet at five of its corners; the sixth corner
+        // points outwards and is bare
+        assert_eq!(bill.knots, 19 * 6 + 12 * 5 + 6);
+    }
+
+    #[test]
+    fn classes_can_have_ropes_of_their_own() {
+        let web = square(2.0, 1.0).unwrap();
+        let mut parts = Parts::of_one_rope(&web, rope());
+        let thin = RopeKind { name: "thin".into(), diameter: 0.002, mass_per_metre: 0.005 };
+        parts.assign(&web, &Class::Inner, thin);
+        let bill = bill(&web, &parts);
+        let metres: Vec<(&str, f64)> = bill.ropes.iter().map(|line| (line.name.as_str(), line.length)).collect();
+        assert_eq!(metres, [("10 mm", 8.0), ("thin", 4.0)]);
+        assert!((bill.ropes[1].mass - 0.02).abs() < 1e-12);
+        let volume = PI / 4.0 * (8.0 * 1e-4 + 4.0 * 4e-6);
+        assert!((bill.rope_volume - volume).abs() < 1e-15);
+        assert!((bill.packed_volume - 2.0 * volume).abs() < 1e-15);
+        assert_eq!((bill.knots, bill.rope_count), (9, 12));
+    }
+}

@@ -1,0 +1,75 @@
+//! Link classes: the groups that a web's ropes are reported in.
+
+use std::fmt;
+
+/// The group that a rope belongs to, in the order in which groups are listed.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Class {
+    /// From a corner of the web to its tractor.
+    Traction,
+    /// Along the outline.
+    Outline,
+    /// Along a closed line round the centre, inside the outline.
+    Ring,
+    /// On a straight line through the centre.
+    Radial,
+    /// Any other rope inside the outline.
+    Inner,
+    /// A side of a hexagon of rope that takes a canopy's place.
+    Hexagon,
+    /// A member that stands for a canopy's fabric; no [`crate::Web`] has such a rope, a model of its canopies may.
+    Canopy,
+    /// A class that the user named.
+    Named(String),
+}
+
+impl Class {
+    /// The class of this name: one of ours in any case of letters, else [`Class::Named`] with the name as given.
+    pub fn from_name(name: &str) -> Class {
+        let ours =
+            [Class::Traction, Class::Outline, Class::Ring, Class::Radial, Class::Inner, Class::Hexagon, Class::Canopy];
+        let name = name.trim();
+        ours.into_iter()
+            .find(|class| class.name().eq_ignore_ascii_case(name))
+            .unwrap_or_else(|| Class::Named(name.to_owned()))
+    }
+
+    /// The class's name: ours in lower case, the user's as given.
+    pub fn name(&self) -> &str {
+        match self {
+            Class::Traction => "traction",
+            Class::Outline => "outline",
+            Class::Ring => "ring",
+            Class::Radial => "radial",
+            Class::Inner => "inner",
+            Class::Hexagon => "hexagon",
+            Class::Canopy => "canopy",
+            Class::Named(name) => name,
+        }
+    }
+}
+
+impl fmt::Display for Class {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_class_is_found_by_its_name() {
+        assert_eq!(Class::from_name("radial"), Class::Radial);
+        assert_eq!(Class::from_name(" Traction "), Class::Traction);
+        assert_eq!(Class::from_name("Edge cord"), Class::Named("Edge cord".into()));
+        assert_eq!(Class::from_name("hexagon").to_string(), "hexagon");
+    }
+
+    #[test]
+    fn classes_are_listed_from_the_traction_ropes_inwards() {
+        assert!(Class::Traction < Class::Outline && Class::Outline < Class::Ring && Class::Ring < Class::Radial);
+        assert!(Class::Canopy < Class::Named(String::new()));
+    }
+}

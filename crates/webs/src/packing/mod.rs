@@ -1,0 +1,115 @@
+//! Packing: where each node lies when the web is stowed, before it is launched.
+//!
+//! A pattern maps a cut web to positions in the launch frame: +z is the launch axis, z = 0 the muzzle. Rest lengths
+//! are kept: a pattern may let ropes hang slack, and [`audit`] tells whether it stretches any.
+
+mod audit;
+mod bag;
+mod given;
+mod scale;
+
+pub use audit::{Audit, LongestStretch, StowedSegment, audit};
+pub use bag::Bag;
+pub use given::Given;
+pub use scale::Scale;
+
+use glam::DVec3;
+
+use crate::CutWeb;
+
+/// The ways to pack a web.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pattern {
+    /// The flat web shrunk about its middle.
+    Scale(Scale),
+    /// The web drawn in to a bag, its middle hanging below, its tractors on top.
+    Bag(Bag),
+    /// Where the user says.
+    Given(Given),
+}
+
+impl Pattern {
+    /// Positions of all nodes of the packed web in the launch frame, m.
+    ///
+    /// # Errors
+    /// [`PackingError`]: a size that cannot be, or one that would stretch a rope.
+    pub fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
+        match self {
+            Pattern::Scale(scale) => scale.pack(cut_web),
+            Pattern::Bag(bag) => bag.pack(cut_web),
+            Pattern::Given(given) => given.pack(cut_web),
+        }
+    }
+}
+
+/// Why a web cannot be packed as asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PackingError {
+    /// The factor of a scaled web is out of its range.
+    #[error("the factor must be more than 0 and at most 1, not {0}")]
+    Factor(f64),
+    /// A size of the bag is negative or not a number.
+    #[error("the bag's {what} must be a length of 0 m or more, not {value} m")]
+    Size {
+        /// Which size.
+        what: &'static str,
+        /// Its value, m.
+        value: f64,
+    },
+    /// The bag is wider than the web.
+    #[error("the bag's radius of {radius} m must be more than 0 and at most the web's own, {limit:.4} m")]
+    Radius {
+        /// The radius given, m.
+        radius: f64,
+        /// The radius of the flat web, m.
+        limit: f64,
+    },
+    /// The bag is so deep that ropes are stretched.
+    #[error("a bag {depth} m deep would stretch the web's ropes; at its radius it can be at most {limit:.4} m deep")]
+    Depth {
+        /// The depth given, m.
+        depth: f64,
+        /// The largest depth that stretches no rope, m.
+        limit: f64,
+    },
+    /// A traction rope does not reach from its corner out to its tractor, whatever the gap.
+    #[error(
+        "{tractor} would stand {distance:.4} m from its corner, farther than its traction rope of {length} m reaches; \
+         bring the tractors' radius nearer to the bag's or make the bag less deep"
+    )]
+    TractorOutOfReach {
+        /// The tractor's label.
+        tractor: String,
+        /// Distance from the tractor's place to its corner with no gap, m.
+        distance: f64,
+        /// Length of its traction rope, m.
+        length: f64,
+    },
+    /// The tractors stand so far above the web that traction ropes are stretched.
+    #[error("tractors {gap} m above the web would stretch {rope}; they can be at most {limit:.4} m above it")]
+    Gap {
+        /// The gap given, m.
+        gap: f64,
+        /// The largest gap that stretches no traction rope, m.
+        limit: f64,
+        /// Label of the traction rope.
+        rope: String,
+    },
+    /// There are more or fewer positions than nodes.
+    #[error("{given} positions were given for {nodes} nodes")]
+    Count {
+        /// Positions given.
+        given: usize,
+        /// Nodes of the cut web.
+        nodes: usize,
+    },
+    /// Knots have no position.
+    #[error("{} no position: {}", if knots.len() == 1 { "a knot has" } else { "some knots have" }, knots.join(", "))]
+    Missing {
+        /// Their labels.
+        knots: Vec<String>,
+    },
+    /// A position is not a finite number.
+    #[error("the position of {0} is not a number")]
+    NotFinite(String),
+}

@@ -1,0 +1,234 @@
+//! The web: knots, the ropes between them, canopies, and the places on it that have a meaning.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use crate::{Class, vector_area};
+
+/// The kinds of web that can be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Square cells clipped by a hexagon; see [`crate::traditional`].
+    Traditional,
+    /// A triangular lattice of double ropes between hexagons of rope; see [`crate::topological`].
+    Topological,
+    /// A triangular lattice of double ropes between canopies; see [`crate::space`].
+    Space,
+    /// A square net; see [`crate::square`].
+    Square,
+    /// Any net, knot by knot and rope by rope; see [`crate::graph`].
+    Graph,
+}
+
+impl Kind {
+    /// The kind's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Traditional => "traditional",
+            Kind::Topological => "topological",
+            Kind::Space => "space",
+            Kind::Square => "square",
+            Kind::Graph => "graph",
+        }
+    }
+}
+
+/// A place where ropes are tied: to one another, to a canopy or to a tractor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Knot {
+    /// The one knot of this name; in a graph, the id that the user gave.
+    pub name: String,
+    /// What a message calls it, such as "knot 12" or "corner 3 of canopy 14".
+    pub label: String,
+    /// Where it lies in the flat web, m.
+    pub position: DVec3,
+}
+
+impl Knot {
+    /// A knot whose label is its name.
+    pub(crate) fn new(label: impl Into<String>, position: DVec3) -> Knot {
+        let label = label.into();
+        Knot { name: label.clone(), label, position }
+    }
+}
+
+/// A rope from one knot to another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rope {
+    /// The knot it begins at, as an index into [`Web::knots`].
+    pub a: usize,
+    /// The knot it ends at.
+    pub b: usize,
+    /// The group it is reported in.
+    pub class: Class,
+    /// What a message calls it, such as "radial rope 7".
+    pub label: String,
+    /// Its length without tension where that is not the distance between its knots, m.
+    pub rest_length: Option<f64>,
+    /// The number of segments to cut it into where that is prescribed.
+    pub segments: Option<usize>,
+}
+
+/// A hexagonal plate: a hub in its centre and six rim knots, anticlockwise from the direction of the x axis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Canopy {
+    /// The knot in its centre.
+    pub hub: usize,
+    /// The knots at its corners, to which ropes are tied.
+    pub rim: [usize; 6],
+    /// Whether a payload is fixed to its hub.
+    pub carries_payload: bool,
+    /// Its number, from 1.
+    pub number: usize,
+    /// Whether it is the one in the middle of the web.
+    pub is_centre: bool,
+}
+
+/// A place on a web.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Site {
+    /// At a knot.
+    Knot(usize),
+    /// Along a rope.
+    OnRope {
+        /// The rope, as an index into [`Web::ropes`].
+        rope: usize,
+        /// How far along: 0 at its knot `a`, 1 at its knot `b`.
+        fraction: f64,
+    },
+}
+
+/// A web as designed: flat, before it is cut, packed or loaded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Web {
+    /// What kind it is.
+    pub kind: Kind,
+    /// Where ropes are tied.
+    pub knots: Vec<Knot>,
+    /// The ropes between them.
+    pub ropes: Vec<Rope>,
+    /// Hexagonal plates in the order of their numbers.
+    pub canopies: Vec<Canopy>,
+    /// The closed outline in order; each vertex is the mean of its knots: a canopy's hub, a rope hexagon's six
+    /// corners, or one knot.
+    pub outline: Vec<Vec<usize>>,
+    /// The knots that tractors are tied to.
+    pub corners: Vec<usize>,
+    /// The knot that each corner's tractor sits on; none before [`Web::with_traction`], the corners where traction
+    /// ropes have no length.
+    pub tractors: Vec<usize>,
+    /// The traction ropes of each corner; none where tractors are tied straight to the corners.
+    pub traction: Vec<Vec<usize>>,
+    /// The centre of the web is the mean of these knots.
+    pub centre: Vec<usize>,
+    /// Where the launch axis pierces the flat web, m: the origin; in a graph, the mean of its outline (without one,
+    /// of its knots).
+    pub middle: DVec3,
+    /// Feature points by name; "B" is the bottom of the stowed web.
+    pub points: BTreeMap<String, Site>,
+}
+
+impl Web {
+    /// A web of this kind with nothing in it yet.
+    pub(crate) fn empty(kind: Kind) -> Web {
+        Web {
+            kind,
+            knots: Vec::new(),
+            ropes: Vec::new(),
+            canopies: Vec::new(),
+            outline: Vec::new(),
+            corners: Vec::new(),
+            tractors: Vec::new(),
+            traction: Vec::new(),
+            centre: Vec::new(),
+            middle: DVec3::ZERO,
+            points: BTreeMap::new(),
+        }
+    }
+
+    /// The knot of this name.
+    pub fn knot_named(&self, name: &str) -> Option<usize> {
+        self.knots.iter().position(|knot| knot.name == name)
+    }
+
+    /// Distance between a rope's two knots in the flat web, m.
+    pub fn drawn_length(&self, rope: &Rope) -> f64 {
+        self.knots[rope.a].position.distance(self.knots[rope.b].position)
+    }
+
+    /// Length of a rope without tension, m: its own where it has one, else as drawn.
+    pub fn rest_length(&self, rope: &Rope) -> f64 {
+        rope.rest_length.unwrap_or_else(|| self.drawn_length(rope))
+    }
+
+    /// Length of all ropes, traction ropes included, m.
+    pub fn rope_length(&self) -> f64 {
+        self.ropes.iter().map(|rope| self.rest_length(rope)).sum()
+    }
+
+    /// Length of the ropes of each class that the web has, m.
+    pub fn rope_length_by_class(&self) -> BTreeMap<Class, f64> {
+        let mut lengths = BTreeMap::new();
+        for rope in &self.ropes {
+            *lengths.entry(rope.class.clone()).or_insert(0.0) += self.rest_length(rope);
+        }
+        lengths
+    }
+
+    /// Where a place lies in the flat web, m.
+    pub fn position(&self, site: Site) -> DVec3 {
+        match site {
+            Site::Knot(knot) => self.knots[knot].position,
+            Site::OnRope { rope, fraction } => {
+                let rope = &self.ropes[rope];
+                self.knots[rope.a].position.lerp(self.knots[rope.b].position, fraction)
+            }
+        }
+    }
+
+    /// The mean position of some knots in the flat web, m.
+    pub fn mean_position(&self, knots: &[usize]) -> DVec3 {
+        knots.iter().map(|&knot| self.knots[knot].position).sum::<DVec3>() / knots.len() as f64
+    }
+
+    /// Area that the flat web's outline encloses, m^2: the magnitude of its vector area; none where the web has no
+    /// outline.
+    pub fn reference_area(&self) -> Option<f64> {
+        let vertices: Vec<DVec3> = self.outline.iter().map(|knots| self.mean_position(knots)).collect();
+        (vertices.len() >= 3).then(|| vector_area(&vertices).length())
+    }
+
+    /// Area of the polygon of the tractors of the flat web, m^2; none with fewer than three.
+    pub fn tractor_area(&self) -> Option<f64> {
+        let ring: Vec<DVec3> =
+            self.tractor_ring().iter().map(|&tractor| self.knots[self.tractors[tractor]].position).collect();
+        (ring.len() >= 3).then(|| vector_area(&ring).length())
+    }
+
+    /// The tractors (as indices into [`Web::tractors`]) in the order in which they stand round the middle,
+    /// anticlockwise from the first: their polygon is then simple even where a user named the corners in another
+    /// order.
+    pub fn tractor_ring(&self) -> Vec<usize> {
+        let angle = |tractor: usize| {
+            let arm = self.knots[self.tractors[tractor]].position - self.middle;
+            libm::atan2(arm.y, arm.x)
+        };
+        let mut ring: Vec<usize> = (0..self.tractors.len()).collect();
+        ring.sort_by(|&one, &other| angle(one).total_cmp(&angle(other)));
+        if let Some(first) = ring.iter().position(|&tractor| tractor == 0) {
+            ring.rotate_left(first);
+        }
+        ring
+    }
+
+    /// Distance from the middle, in the web's plane, of the farthest knot, m; tractors on traction ropes are not
+    /// counted.
+    pub fn radius(&self) -> f64 {
+        let on_traction_ropes = |knot: &usize| !self.traction.is_empty() && self.tractors.contains(knot);
+        (0..self.knots.len())
+            .filter(|knot| !on_traction_ropes(knot))
+            .map(|knot| (self.knots[knot].position - self.middle).truncate().length())
+            .fold(0.0, f64::max)
+    }
+}
