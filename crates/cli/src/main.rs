@@ -1,2 +1,68 @@
-//! The netcast command.
-fn main() {}
+//! The `netcast` command. A file a command; each returns how it ended, `main` turns that into an exit status.
+//!
+//! 0 done; 1 a fault of ours; 2 the input is wrong, nothing was written; 3 the run failed, what was computed is kept.
+
+mod commands;
+mod complaint;
+mod progress;
+mod screen;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+use commands::{check, init, report, run, schema, stow};
+use complaint::Complaint;
+
+/// Simulates flexible nets that are thrown.
+#[derive(Parser)]
+#[command(name = "netcast", version, about, after_help = FIRST_STEPS, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const FIRST_STEPS: &str = "\
+First steps:
+  netcast init                       write scenario.toml, commented, to start from
+  netcast check scenario.toml        read it, check it, say what it is made of and what a run will cost
+  netcast run scenario.toml          run it; results go to results/scenario/, report.html among them
+
+Exit status: 0 done; 1 a fault of netcast; 2 the input is wrong (nothing was written); 3 the run failed (what was computed is kept).";
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Arguments),
+    Check(check::Arguments),
+    Init(init::Arguments),
+    Stow(stow::Arguments),
+    Report(report::Arguments),
+    Schema(schema::Arguments),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let ended = match &cli.command {
+        None => {
+            // netcast alone says what to do next
+            let _ = Cli::command().print_help();
+            return ExitCode::SUCCESS;
+        }
+        Some(Command::Run(arguments)) => run::run(arguments),
+        Some(Command::Check(arguments)) => check::run(arguments),
+        Some(Command::Init(arguments)) => init::run(arguments),
+        Some(Command::Stow(arguments)) => stow::run(arguments),
+        Some(Command::Report(arguments)) => report::run(arguments),
+        Some(Command::Schema(arguments)) => schema::run(arguments),
+    };
+    match ended {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(complaint) => {
+            complaint.show();
+            ExitCode::from(complaint.status())
+        }
+    }
+}
+
+/// How a command ends.
+type Ended = Result<(), Complaint>;

@@ -105,11 +105,13 @@ pub enum ResultError {
 }
 
 impl ResultError {
-    pub(crate) fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
+    /// An [`ResultError::Write`] at `path`, for `map_err`.
+    pub fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::Write { path: path.to_path_buf(), source }
     }
 
-    pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
+    /// An [`ResultError::Read`] at `path`, for `map_err`.
+    pub fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::Read { path: path.to_path_buf(), source }
     }
 

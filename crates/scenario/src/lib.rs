@@ -1,1 +1,47 @@
-//! (being written)
+//! What the user wrote: a scenario in TOML, read, checked and typed.
+//!
+//! ```text
+//! text ──tree──▶ Written ──check, rules──▶ Diagnostics: everything wrong, with file, line and column
+//!                   └──────serde─────────▶ Scenario
+//! ```
+//!
+//! [`Document::read`] does all of it. The types in [`scenario`] are the single source: the JSON Schema is derived from
+//! them, and the check walks that schema. Their documentation is what editors show.
+
+pub mod body;
+pub mod canopy;
+mod check;
+pub mod csv_files;
+mod csv_table;
+pub mod diagnostic;
+pub mod dimension;
+pub mod document;
+pub mod environment;
+pub mod hold;
+pub mod init;
+pub mod interval;
+mod later;
+pub mod launch;
+pub mod lower;
+mod nearest;
+mod overrides;
+pub mod path;
+pub mod quantity;
+pub mod record;
+pub mod rope;
+mod rules;
+pub mod scenario;
+pub mod schema;
+pub mod solve;
+pub mod stow;
+pub mod tractor;
+pub mod tree;
+mod unit_table;
+pub mod units;
+pub mod web;
+pub mod written;
+
+pub use diagnostic::{Diagnostic, Diagnostics, Location, Place, Source};
+pub use document::Document;
+pub use scenario::{Scenario, resolved_toml};
+pub use schema::schema;

@@ -1,0 +1,115 @@
+//! `netcast check`
+
+use std::time::Instant;
+
+use clap::Args;
+use netcast::dynamics::time::step::Stepper;
+use netcast::webs::PACKED_FILL;
+use netcast::{Model, schedule};
+
+use super::ScenarioArguments;
+use crate::Ended;
+use crate::screen::{audit, notes, number, rows};
+
+/// Read and check a scenario; print its bill of materials, step size and cost. Runs nothing
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  netcast check examples/space_web/scenario.toml
+  netcast check net.toml --set solve.segment_length=\"5 cm\"")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+}
+
+/// Carries it out.
+pub fn run(arguments: &Arguments) -> Ended {
+    let model = Model::new(&arguments.scenario.read()?)?;
+    if !model.scenario.title.is_empty() {
+        println!("{}", model.scenario.title);
+    }
+    notes(&model);
+    bill(&model);
+    audit(&model);
+    cost(&model);
+    Ok(())
+}
+
+/// What it is made of.
+fn bill(model: &Model) {
+    let bill = &model.bill;
+    println!("Bill of materials");
+    let mut lines = Vec::new();
+    for rope in &bill.ropes {
+        lines.push((
+            format!("{} {} mm", rope.name, number(1e3 * rope.diameter, 3)),
+            format!("{} m, {} kg", number(rope.length, 5), number(rope.mass, 4)),
+        ));
+    }
+    for (class, length) in &bill.length_by_class {
+        lines.push((format!("  of which {class}"), format!("{} m", number(*length, 5))));
+    }
+    lines.push(("knots, ropes".into(), format!("{}, {}", bill.knots, bill.rope_count)));
+    let counted = [
+        ("canopies", bill.canopies, bill.canopy_mass),
+        ("payloads", bill.payloads, bill.payload_mass),
+        ("tractors", bill.tractors, bill.tractor_mass),
+    ];
+    for (name, count, mass) in counted.into_iter().filter(|(_, count, _)| *count > 0) {
+        lines.push((name.into(), format!("{count}, {} kg", number(mass, 4))));
+    }
+    lines.push(("web without traction ropes".into(), format!("{} kg", number(bill.web_mass(), 4))));
+    lines.push(("thrown in all".into(), format!("{} kg", number(model.system.mass().iter().sum(), 4))));
+    lines.push((
+        "packed volume".into(),
+        format!("{} litres, {} % of it solid", number(1e3 * bill.packed_volume, 3), number(100.0 * PACKED_FILL, 2)),
+    ));
+    if let Some(area) = model.cut.web.reference_area() {
+        lines.push(("area inside the outline".into(), format!("{} m^2 flat", number(area, 5))));
+    }
+    if let Some(area) = model.cut.web.tractor_area() {
+        lines.push(("area of the tractors' polygon".into(), format!("{} m^2 flat", number(area, 5))));
+    }
+    rows(&lines);
+}
+
+/// Steps, segments, time and room.
+fn cost(model: &Model) {
+    let schedule = schedule(model);
+    let (nodes, segments) = (model.system.mass().len(), model.system.segments().len());
+    let limit = model.limit.segment.map_or("nothing".into(), |segment| model.segment_label(segment));
+    let fraction = model.largest_dt() / model.limit.dt;
+    let records = schedule.count / schedule.steps_per_record + 1;
+    let frame = (nodes * 6 + segments) * size_of::<f64>();
+    let seconds = schedule.count as f64 * step_time(model, schedule.dt);
+    println!("Cost");
+    rows(&[
+        ("model".into(), format!("{nodes} nodes, {segments} segments")),
+        (
+            "step".into(),
+            format!(
+                "{} us, at most {} % of the stable {} us, which {limit} sets",
+                number(1e6 * schedule.dt, 4),
+                number(100.0 * fraction, 3),
+                number(1e6 * model.limit.dt, 4)
+            ),
+        ),
+        ("steps".into(), format!("{} for {} s", schedule.count, number(schedule.time(schedule.count), 4))),
+        (
+            "segment updates".into(),
+            format!("{}, about {} s on one core of this machine", number(schedule.count as f64 * segments as f64, 3), number(seconds, 2)),
+        ),
+        ("records".into(), format!("{records}, about {} MB", number(1e-6 * (records as f64) * frame as f64, 2))),
+    ]);
+}
+
+/// Time of a step on this machine, s, from a few.
+fn step_time(model: &Model, dt: f64) -> f64 {
+    const STEPS: u32 = 200;
+    let mut net = Stepper::new(&model.system, &model.state, dt, 1);
+    let clock = Instant::now();
+    for _ in 0..STEPS {
+        net.step();
+    }
+    clock.elapsed().as_secs_f64() / f64::from(STEPS)
+}

@@ -1,0 +1,109 @@
+//! `netcast run`
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use netcast::{RunOptions, run as carry_out};
+
+use super::ScenarioArguments;
+use crate::Ended;
+use crate::complaint::Complaint;
+use crate::progress::Bar;
+
+/// Run a scenario: results to a folder, a summary to the screen
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  netcast run examples/space_web/scenario.toml
+  netcast run net.toml --out results/faster --set launch.axial_speed=\"60 m/s\"
+  netcast run net.toml --json --quiet > summary.json
+
+Ctrl-C stops the run at its next record; what was computed is kept.")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+
+    /// Folder for the results [default: results/<scenario file's stem>]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Threads to use at most; results do not depend on it [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+
+    /// No progress bar and no summary on the screen
+    #[arg(long)]
+    quiet: bool,
+
+    /// Print summary.json to standard output, and nothing else there
+    #[arg(long)]
+    json: bool,
+}
+
+/// Carries it out.
+pub fn run(arguments: &Arguments) -> Ended {
+    let document = arguments.scenario.read()?;
+    let target = arguments.out.clone().unwrap_or_else(|| {
+        let stem = arguments.scenario.scenario.file_stem().unwrap_or("scenario".as_ref());
+        PathBuf::from("results").join(stem)
+    });
+    let mut options = RunOptions::default();
+    if let Some(threads) = arguments.threads {
+        options.threads = threads.into();
+    }
+
+    let stop = Arc::new(AtomicBool::new(false));
+    let on_signal = stop.clone();
+    let handled = ctrlc::set_handler(move || {
+        // a second Ctrl-C does not wait for the next record
+        if on_signal.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    handled.map_err(|error| Complaint::Fault(format!("cannot listen for Ctrl-C: {error}")))?;
+
+    let bar = Bar::new(arguments.quiet);
+    let interrupted = || stop.load(Ordering::Relaxed);
+    let ran = carry_out(&document, &target, &options, &mut |progress| bar.tell(progress), &interrupted);
+    bar.end();
+    let ran = ran?;
+
+    let summary = ran.summary.to_json().map_err(Complaint::from)?;
+    if arguments.json {
+        print!("{summary}");
+    } else if !arguments.quiet {
+        tell(&ran, &summary)?;
+    }
+    match ran.failure {
+        Some(failure) => Err(Complaint::Failed(failure, ran.folder)),
+        None => Ok(()),
+    }
+}
+
+/// The summary in a designer's words.
+fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
+    let value: serde_json::Value =
+        serde_json::from_str(summary).map_err(|error| Complaint::Fault(format!("summary.json: {error}")))?;
+    if !ran.summary.title.is_empty() {
+        println!("{}", ran.summary.title);
+    }
+    for sentence in netcast::report::words(&value) {
+        println!("  {sentence}");
+    }
+    for warning in &ran.summary.warnings {
+        println!("  note: {warning}");
+    }
+    let step = &ran.summary.step;
+    let limit = step.limited_by.as_ref().map_or(String::new(), |place| format!(", limited by {place}"));
+    println!(
+        "  {} segments, {} steps of {:.3} us{limit}; {:.2} s on the clock.",
+        ran.summary.model.segments,
+        step.count,
+        1e6 * step.dt_s,
+        ran.summary.wall_time_s
+    );
+    println!("  Open {}", ran.folder.join("report.html").display());
+    Ok(())
+}

@@ -1,0 +1,46 @@
+//! `netcast stow`
+
+use std::path::PathBuf;
+
+use clap::Args;
+use netcast::Model;
+use netcast::scenario::csv_files::{StowedNode, write_stow};
+use netcast::scenario::lower::node_id;
+
+use super::ScenarioArguments;
+use crate::Ended;
+use crate::complaint::Complaint;
+use crate::screen::{audit, notes};
+
+/// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  netcast stow examples/space_web/scenario.toml
+  netcast stow net.toml --set stow.bag.radius=\"20 cm\"
+  netcast stow net.toml --write stowed.csv      for [stow.file], after changes of your own")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+
+    /// Write where every node lies, in the launch frame: columns id, x, y, z, in m
+    #[arg(long, value_name = "FILE.csv")]
+    write: Option<PathBuf>,
+}
+
+/// Carries it out.
+pub fn run(arguments: &Arguments) -> Ended {
+    let model = Model::new(&arguments.scenario.read()?)?;
+    notes(&model);
+    audit(&model);
+    if let Some(path) = &arguments.write {
+        let to_launch_frame = model.frame.transpose();
+        let nodes = model.state.position.iter().enumerate().map(|(node, &x)| StowedNode {
+            id: node_id(&model.cut, node),
+            position_m: (to_launch_frame * x).into(),
+        });
+        write_stow(path, nodes).map_err(|error| Complaint::Argument(format!("cannot write {}: {error}", path.display())))?;
+        println!("wrote {}", path.display());
+    }
+    Ok(())
+}

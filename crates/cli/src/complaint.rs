@@ -1,0 +1,105 @@
+//! What went wrong, as a person reads it, and the exit status that it has.
+
+use std::io::IsTerminal;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use netcast::results::ResultError;
+use netcast::scenario::{Diagnostic, Diagnostics, Place};
+use netcast::{Failure, RunError};
+
+/// Why a command did not do what it was asked for.
+#[derive(Debug)]
+pub enum Complaint {
+    /// The scenario or the command line is wrong: status 2.
+    Input(Diagnostics),
+    /// A path, a name or another argument is wrong: status 2.
+    Argument(String),
+    /// The run failed; what it had computed is kept: status 3.
+    Failed(Failure, std::path::PathBuf),
+    /// Results could not be written: status 1.
+    Fault(String),
+}
+
+impl Complaint {
+    /// The exit status.
+    pub fn status(&self) -> u8 {
+        match self {
+            Complaint::Input(_) | Complaint::Argument(_) => 2,
+            Complaint::Failed(..) => 3,
+            Complaint::Fault(_) => 1,
+        }
+    }
+
+    /// Tells it on standard error.
+    pub fn show(&self) {
+        match self {
+            Complaint::Input(diagnostics) => {
+                for diagnostic in &diagnostics.0 {
+                    eprintln!("{}\n", render(diagnostic));
+                }
+                let count = diagnostics.0.len();
+                eprintln!("{count} error{}; nothing was written", if count == 1 { "" } else { "s" });
+            }
+            Complaint::Argument(message) => eprintln!("error: {message}"),
+            Complaint::Failed(failure, folder) => {
+                eprintln!("error: the run failed: {failure}");
+                eprintln!("       what was computed is in {}", folder.display());
+            }
+            Complaint::Fault(message) => eprintln!("error: {message}"),
+        }
+    }
+}
+
+impl From<Diagnostics> for Complaint {
+    fn from(diagnostics: Diagnostics) -> Complaint {
+        Complaint::Input(diagnostics)
+    }
+}
+
+impl From<ResultError> for Complaint {
+    fn from(error: ResultError) -> Complaint {
+        match error {
+            // the place for the results was not well chosen
+            ResultError::TargetIsFile { .. }
+            | ResultError::TargetNotOurs { .. }
+            | ResultError::TargetHoldsCurrent { .. } => Complaint::Argument(error.to_string()),
+            _ => Complaint::Fault(error.to_string()),
+        }
+    }
+}
+
+impl From<RunError> for Complaint {
+    fn from(error: RunError) -> Complaint {
+        match error {
+            RunError::Input(diagnostics) => diagnostics.into(),
+            RunError::Result(error) => error.into(),
+            RunError::Report(error) => Complaint::Fault(error.to_string()),
+        }
+    }
+}
+
+/// A diagnostic in the look of rustc: file, line and column, the line itself, what was expected.
+fn render(diagnostic: &Diagnostic) -> String {
+    let title = match diagnostic.path.is_empty() {
+        true => diagnostic.message.clone(),
+        false => format!("{}: {}", diagnostic.path, diagnostic.message),
+    };
+    let mut group = Level::ERROR.primary_title(title).elements(Vec::<annotate_snippets::Element>::new());
+    match &diagnostic.place {
+        Some(Place::File { source, span }) => {
+            let end = span.end.min(source.text.len());
+            let span = span.start.min(end)..end;
+            let snippet = Snippet::source(source.text.as_str())
+                .path(source.name.as_str())
+                .annotation(AnnotationKind::Primary.span(span));
+            group = group.element(snippet);
+        }
+        Some(Place::Override(text)) => group = group.element(Level::NOTE.message(format!("in --set {text}"))),
+        None => {}
+    }
+    if let Some(help) = &diagnostic.help {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    let renderer = if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
+    renderer.render(&[group])
+}

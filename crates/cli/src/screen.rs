@@ -1,0 +1,54 @@
+//! What commands print for people: columns of names and values.
+
+use netcast::Model;
+
+/// Prints rows of a name and a value, names in one column.
+pub fn rows(rows: &[(String, String)]) {
+    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, value) in rows {
+        println!("  {name:width$}  {value}");
+    }
+}
+
+/// A number with `digits` significant digits, without an exponent where it is readable without.
+pub fn number(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..7).contains(&magnitude) {
+        return format!("{value:.*e}", digits.saturating_sub(1));
+    }
+    let decimals = (digits as i32 - 1 - magnitude).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// The audit of the state at the start.
+pub fn audit(model: &Model) {
+    let audit = &model.audit;
+    let stretch = audit.longest.map(|longest| {
+        let label = model.segment_label(longest.segment);
+        let share = 100.0 * longest.stretch;
+        match share {
+            s if s > 1e-7 => format!("{label} is stretched by {} %", number(s, 3)),
+            s if s > -1e-7 => format!("none; {label} just reaches its rest length"),
+            s => format!("none; {label} comes nearest, {} % short of its rest length", number(-s, 3)),
+        }
+    });
+    println!("State at the start");
+    rows(&[
+        ("longest stretch".into(), stretch.unwrap_or_else(|| "there are no segments".into())),
+        ("stored energy".into(), format!("{} J", number(audit.stored_energy, 4))),
+        (
+            "packed size".into(),
+            format!("radius {} m, height {} m", number(audit.packed_radius, 4), number(audit.packed_height, 4)),
+        ),
+    ]);
+}
+
+/// What was chosen or changed for the user.
+pub fn notes(model: &Model) {
+    for note in &model.notes {
+        println!("note: {note}");
+    }
+}

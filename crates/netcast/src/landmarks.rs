@@ -1,0 +1,48 @@
+//! What a model's nodes and segments mean to who measures them.
+
+use netcast_results::{Landmark, Landmarks, LinkClass};
+use netcast_scenario::lower::Model;
+use netcast_webs::Class;
+
+/// The landmarks of a model.
+pub fn landmarks(model: &Model) -> Landmarks {
+    let web = &model.cut.web;
+    let followed = |name: &str, nodes: Vec<usize>| Landmark {
+        name: name.to_owned(),
+        segments: model.ropes_at(&nodes),
+        nodes,
+    };
+    let mut points: Vec<Landmark> =
+        model.points().into_iter().map(|(name, node)| followed(&name, vec![node])).collect();
+    for (name, nodes) in [("tractor", &model.tractors), ("corner", &web.corners), ("centre", &web.centre)] {
+        if !nodes.is_empty() && points.iter().all(|p| p.name != name) {
+            points.push(followed(name, nodes.clone()));
+        }
+    }
+    let bottom = points.iter().find(|p| p.name == "B").map_or(Vec::new(), |b| b.segments.clone());
+    let classes = model.classes.iter().zip(&model.strengths).map(|(class, &strength)| LinkClass {
+        name: class.name().to_owned(),
+        is_rope: *class != Class::Canopy,
+        strength,
+    });
+    let rim = |axis: glam::DVec3| {
+        let heights = web.outline.iter().map(|knots| web.mean_position(knots).dot(axis));
+        heights.sum::<f64>() / web.outline.len() as f64
+    };
+    let flat_posture = match web.outline.is_empty() {
+        true => 0.0,
+        false => web.mean_position(&web.centre).z - rim(glam::DVec3::Z),
+    };
+    Landmarks {
+        axis: model.axis(),
+        outline: web.outline.clone(),
+        reference_area: web.reference_area(),
+        flat_posture,
+        tractors: model.tractors.clone(),
+        corners: web.corners.clone(),
+        centre: web.centre.clone(),
+        points,
+        bottom,
+        classes: classes.collect(),
+    }
+}

@@ -1,0 +1,317 @@
+//! The curves of a report: which columns of the history go into which chart.
+//!
+//! A figure is data without colours; `page.js` draws it in those of the reader's theme.
+
+use serde_json::{Value, json};
+
+use crate::format::Scale;
+use crate::results::Results;
+
+/// Rows beyond which a curve is thinned; twice what a screen resolves.
+const MOST_POINTS: usize = 4000;
+
+/// The share of the flat web's area from which a web counts as open.
+const EFFECTIVE_SHARE: f64 = 0.8;
+
+/// A chart: curves over time with a title, a line on how to read it, and a unit.
+pub(crate) struct Figure {
+    pub id: &'static str,
+    pub title: &'static str,
+    pub note: &'static str,
+    quantity: &'static str,
+    unit: String,
+    curves: Vec<Curve>,
+    /// Spell of time to shade, s.
+    shaded: Option<(f64, f64)>,
+}
+
+struct Curve {
+    name: String,
+    /// Time, s, and value.
+    points: Vec<(f64, Option<f64>)>,
+    /// Place in the palette; `None` is the colour of the grid.
+    colour: Option<usize>,
+    style: Style,
+}
+
+#[derive(Clone, Copy)]
+enum Style {
+    Line,
+    /// A companion of a line in the same colour, such as the mean beside the maximum.
+    Dotted,
+    /// A reference, not a result.
+    Dashed,
+}
+
+/// The figures that a result has anything for, in the order of the page.
+pub(crate) fn figures(results: &Results) -> Vec<Figure> {
+    [areas, speeds, travels, class_tensions, point_tensions, energies, residual]
+        .iter()
+        .filter_map(|figure| figure(results))
+        .filter(|figure| !figure.curves.is_empty())
+        .collect()
+}
+
+fn areas(results: &Results) -> Option<Figure> {
+    let time = times(results)?;
+    let named = [
+        ("area_m2", "outline area, along the launch axis"),
+        ("vector_area_m2", "vector area"),
+        ("shadow_area_m2", "shadow area"),
+        ("tractor_area_m2", "tractors' polygon"),
+    ];
+    let mut curves = Vec::new();
+    for (colour, (column, name)) in named.into_iter().enumerate() {
+        if let Some(values) = results.history.column(column) {
+            curves.push(Curve::new(name, time, values, colour));
+        }
+    }
+    let opening = &results.summary["opening"];
+    if let (false, Some(reference)) = (curves.is_empty(), opening["reference_area_m2"].as_f64()) {
+        let ends = [time.first(), time.last()].into_iter().flatten().flatten();
+        curves.push(Curve {
+            name: "80 % of the flat web".into(),
+            points: ends.map(|&end| (end, Some(EFFECTIVE_SHARE * reference))).collect(),
+            colour: None,
+            style: Style::Dashed,
+        });
+    }
+    Some(Figure {
+        id: "areas",
+        title: "Area",
+        note: "Shaded: the longest spell with at least 80 % of the flat web's area.",
+        quantity: "area",
+        unit: "m²".into(),
+        curves,
+        shaded: opening["effective_from_s"].as_f64().zip(opening["effective_to_s"].as_f64()),
+    })
+}
+
+fn speeds(results: &Results) -> Option<Figure> {
+    Some(Figure {
+        id: "speeds",
+        title: "Speed",
+        note: "How fast the tractors and the feature points move.",
+        quantity: "speed",
+        unit: "m/s".into(),
+        curves: by_suffix(results, "_speed_m_s", part_name)?,
+        shaded: None,
+    })
+}
+
+fn travels(results: &Results) -> Option<Figure> {
+    Some(Figure {
+        id: "travels",
+        title: "Travel",
+        note: "Displacement along the launch axis since launch.",
+        quantity: "travel",
+        unit: "m".into(),
+        curves: by_suffix(results, "_travel_m", part_name)?,
+        shaded: None,
+    })
+}
+
+fn class_tensions(results: &Results) -> Option<Figure> {
+    let time = times(results)?;
+    let mut curves = Vec::new();
+    let maxima = results.history.filled().filter_map(|(column, values)| Some((column.strip_suffix("_max_n")?, values)));
+    // the highest of all is no class of its own
+    for (colour, (class, values)) in maxima.filter(|(class, _)| *class != "tension").enumerate() {
+        curves.push(Curve::new(&format!("{class}, highest"), time, values, colour));
+        if let Some(mean) = results.history.column(&format!("{class}_mean_n")) {
+            let mean = Curve::new(&format!("{class}, mean"), time, mean, colour);
+            curves.push(Curve { style: Style::Dotted, ..mean });
+        }
+    }
+    Some(scaled(
+        Figure {
+            id: "class-tensions",
+            title: "Tension by link class",
+            note: "Per rope. Solid: the hardest pulled rope of the class; dotted: their mean.",
+            quantity: "tension",
+            unit: String::new(),
+            curves,
+            shaded: None,
+        },
+        "N",
+    ))
+}
+
+fn point_tensions(results: &Results) -> Option<Figure> {
+    let name = |point: &str| if point == "B" { "B (bottom ropes)".into() } else { point.to_owned() };
+    Some(scaled(
+        Figure {
+            id: "point-tensions",
+            title: "Tension at the feature points",
+            note: "The ropes that meet at each point.",
+            quantity: "tension",
+            unit: String::new(),
+            curves: by_suffix(results, "_tension_n", name)?,
+            shaded: None,
+        },
+        "N",
+    ))
+}
+
+fn energies(results: &Results) -> Option<Figure> {
+    let mut curves = by_suffix(results, "_j", channel_name)?;
+    curves.retain(|curve| curve.name != "residual");
+    Some(scaled(
+        Figure {
+            id: "energies",
+            title: "Energy by channel",
+            note: "Each channel is integrated in its own right, none by difference.",
+            quantity: "energy",
+            unit: String::new(),
+            curves,
+            shaded: None,
+        },
+        "J",
+    ))
+}
+
+fn residual(results: &Results) -> Option<Figure> {
+    let values = results.history.column("energy_residual_j")?;
+    Some(scaled(
+        Figure {
+            id: "residual",
+            title: "Energy residual",
+            note: "What the channels leave unexplained: the smaller, the better the run.",
+            quantity: "residual",
+            unit: String::new(),
+            curves: vec![Curve::new("residual", times(results)?, values, 0)],
+            shaded: None,
+        },
+        "J",
+    ))
+}
+
+fn times(results: &Results) -> Option<&[Option<f64>]> {
+    results.history.column("time_s")
+}
+
+/// A curve for each column that ends in `suffix`.
+fn by_suffix(results: &Results, suffix: &str, name: fn(&str) -> String) -> Option<Vec<Curve>> {
+    let time = times(results)?;
+    let columns = results.history.filled().filter_map(|(column, values)| Some((column.strip_suffix(suffix)?, values)));
+    let curve = |(place, (part, values)): (usize, (&str, &[Option<f64>]))| {
+        let colour = part_colour(part).unwrap_or(place);
+        Curve::new(&name(part), time, values, colour)
+    };
+    Some(columns.enumerate().map(curve).collect())
+}
+
+/// The same point has the same colour in every chart.
+fn part_colour(part: &str) -> Option<usize> {
+    ["tractor", "B", "C", "D", "A", "corner", "centre"].iter().position(|known| *known == part)
+}
+
+fn part_name(part: &str) -> String {
+    match part {
+        "tractor" => "tractors".into(),
+        "corner" => "corners".into(),
+        other => other.to_owned(),
+    }
+}
+
+fn channel_name(column: &str) -> String {
+    column.strip_prefix("energy_").unwrap_or(column).replace('_', " ")
+}
+
+/// The figure in the multiple of `base` that fits its largest value.
+fn scaled(mut figure: Figure, base: &str) -> Figure {
+    let values = figure.curves.iter().flat_map(|curve| &curve.points).filter_map(|(_, value)| *value);
+    let scale = Scale::fitting(values.fold(0.0, |largest, value| value.abs().max(largest)), base);
+    for (_, value) in figure.curves.iter_mut().flat_map(|curve| &mut curve.points) {
+        *value = value.map(|value| value / scale.divisor);
+    }
+    Figure { unit: scale.unit, ..figure }
+}
+
+impl Curve {
+    fn new(name: &str, time: &[Option<f64>], values: &[Option<f64>], colour: usize) -> Self {
+        let points = time.iter().zip(values).filter_map(|(time, value)| Some(((*time)?, *value))).collect();
+        Self { name: name.into(), points: thinned(points), colour: Some(colour), style: Style::Line }
+    }
+
+    fn json(&self) -> Value {
+        let style = match self.style {
+            Style::Line => "solid",
+            Style::Dotted => "dot",
+            Style::Dashed => "dash",
+        };
+        json!({
+            "name": self.name,
+            "x": self.points.iter().map(|(time, _)| six_digits(*time)).collect::<Vec<f64>>(),
+            "y": self.points.iter().map(|(_, value)| value.map(six_digits)).collect::<Vec<_>>(),
+            "colour": self.colour,
+            "style": style,
+        })
+    }
+}
+
+impl Figure {
+    /// The figure as `page.js` takes it.
+    pub(crate) fn json(&self) -> Value {
+        json!({
+            "id": self.id,
+            "title": self.title,
+            "yTitle": format!("{}, {}", self.quantity, self.unit),
+            "unit": self.unit,
+            "shaded": self.shaded.map(|(from, to)| [from, to]),
+            "curves": self.curves.iter().map(Curve::json).collect::<Vec<Value>>(),
+        })
+    }
+}
+
+/// A long curve by the lowest and the highest point of each stretch of it, so that no peak is lost.
+fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)> {
+    if points.len() <= MOST_POINTS {
+        return points;
+    }
+    let stretch = (2 * points.len()).div_ceil(MOST_POINTS);
+    let mut kept = Vec::with_capacity(MOST_POINTS);
+    for stretch in points.chunks(stretch) {
+        let valued = || stretch.iter().enumerate().filter_map(|(place, (_, value))| Some((place, (*value)?)));
+        let lowest = valued().min_by(|a, b| a.1.total_cmp(&b.1));
+        let highest = valued().max_by(|a, b| a.1.total_cmp(&b.1));
+        match (lowest, highest) {
+            (Some((low, _)), Some((high, _))) if low != high => {
+                kept.extend([stretch[low.min(high)], stretch[low.max(high)]]);
+            }
+            (Some((only, _)), _) => kept.push(stretch[only]),
+            // a gap stays a gap
+            _ => kept.push(stretch[0]),
+        }
+    }
+    kept
+}
+
+/// Six significant digits: more than a screen shows, a third of the bytes.
+fn six_digits(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_every_peak_and_the_order_of_time() {
+        let mut points: Vec<(f64, Option<f64>)> =
+            (0..100_000).map(|step| (step as f64, Some((step % 7) as f64))).collect();
+        points[31_415].1 = Some(1e6);
+        points[27_182].1 = Some(-1e6);
+        let kept = thinned(points);
+        assert!(kept.len() <= MOST_POINTS);
+        assert!(kept.contains(&(31_415.0, Some(1e6))) && kept.contains(&(27_182.0, Some(-1e6))));
+        assert!(kept.windows(2).all(|pair| pair[0].0 < pair[1].0));
+    }
+
+    #[test]
+    fn six_digits_are_kept() {
+        assert_eq!(six_digits(1.0 / 3.0), 0.333333);
+        assert_eq!(six_digits(123456789.0), 123457000.0);
+        assert_eq!(six_digits(0.131), 0.131);
+    }
+}

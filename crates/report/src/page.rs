@@ -1,0 +1,176 @@
+//! The page: words, tables and figures put into one HTML file that fetches nothing.
+//!
+//! `page.html` is the frame, `page.css` how it looks on screen and paper, `page.js` what draws the figures. The
+//! charting library is plotly.js, which the `plotly` crate carries.
+
+use plotly::Plot;
+use serde_json::Value;
+
+use crate::figures::{Figure, figures};
+use crate::format::{duration, escape, percent, significant, with_prefix};
+use crate::results::Results;
+use crate::tables::tables;
+use crate::words::words;
+
+const FRAME: &str = include_str!("page.html");
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// The whole page.
+pub(crate) fn html(results: &Results) -> String {
+    let summary = &results.summary;
+    let figures = figures(results);
+    let title = summary["title"].as_str().filter(|title| !title.trim().is_empty()).unwrap_or("Untitled scenario");
+    fill(
+        FRAME,
+        &[
+            ("title", escape(title)),
+            ("style", STYLE.into()),
+            ("state", state(summary)),
+            ("warnings", warnings(summary)),
+            ("tiles", tiles(summary)),
+            ("words", list_items(&words(summary))),
+            ("figures", figures.iter().map(figure_frame).collect()),
+            ("tables", tables(summary)),
+            ("provenance", provenance(summary, &results.manifest)),
+            ("data", data(&figures)),
+            ("library", library()),
+            ("script", SCRIPT.into()),
+        ],
+    )
+}
+
+/// The frame with each `{{name}}` replaced. What is put in is not looked at again, so a title may hold braces.
+fn fill(frame: &str, parts: &[(&str, String)]) -> String {
+    let mut page = String::with_capacity(frame.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
+    let mut rest = frame;
+    while let Some((before, after)) = rest.split_once("{{") {
+        let (name, after) = after.split_once("}}").expect("the frame closes its braces");
+        let (_, part) = parts.iter().find(|(known, _)| *known == name).expect("the frame names known parts");
+        page.push_str(before);
+        page.push_str(part);
+        rest = after;
+    }
+    page + rest
+}
+
+fn state(summary: &Value) -> String {
+    match summary["finished"].as_bool() {
+        Some(false) => "<span class=\"state stopped\">stopped early</span>".into(),
+        _ => String::new(),
+    }
+}
+
+fn warnings(summary: &Value) -> String {
+    let warnings: Vec<String> =
+        summary["warnings"].as_array().into_iter().flatten().filter_map(Value::as_str).map(str::to_owned).collect();
+    if warnings.is_empty() {
+        return String::new();
+    }
+    format!("<aside class=\"warnings\"><h2>Mind</h2><ul>{}</ul></aside>", list_items(&warnings))
+}
+
+fn list_items(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("<li>{}</li>\n", escape(line))).collect()
+}
+
+/// The handful of numbers that a designer looks for first.
+fn tiles(summary: &Value) -> String {
+    let (opening, tension) = (&summary["opening"], &summary["tension"]);
+    let area = opening["area_max_m2"].as_f64();
+    let share = area.zip(opening["reference_area_m2"].as_f64()).map(|(area, flat)| percent(area / flat));
+    let tiles = [
+        ("largest area", area.map(|area| format!("{} m²", significant(area))), share.map(|s| format!("{s} of flat"))),
+        (
+            "80 % open for",
+            opening["effective_duration_s"].as_f64().map(duration),
+            opening["effective_from_s"].as_f64().map(|from| format!("from {}", duration(from))),
+        ),
+        (
+            "highest tension",
+            tension["max_n"].as_f64().map(|force| with_prefix(force, "N")),
+            tension["max_where"].as_str().map(|class| format!("{class} rope")),
+        ),
+        (
+            "tractors travel",
+            summary["points"]["tractor"]["peak_travel_m"].as_f64().map(|travel| format!("{} m", significant(travel))),
+            None,
+        ),
+        (
+            "energy closes to",
+            summary["energy"]["closure"].as_f64().map(percent),
+            summary["energy"]["tolerance"].as_f64().map(|tolerance| format!("{} allowed", percent(tolerance))),
+        ),
+    ];
+    tiles
+        .into_iter()
+        .filter_map(|(name, value, detail)| {
+            let (value, detail) = (escape(&value?), escape(&detail.unwrap_or_default()));
+            Some(format!("<div><dt>{name}</dt><dd>{value}<small>{detail}</small></dd></div>\n"))
+        })
+        .collect()
+}
+
+fn figure_frame(figure: &Figure) -> String {
+    format!(
+        "<figure><figcaption><h3>{}</h3><p>{}</p></figcaption><div class=\"plot\" id=\"{}\"></div></figure>\n",
+        escape(figure.title),
+        escape(figure.note),
+        figure.id
+    )
+}
+
+fn provenance(summary: &Value, manifest: &Value) -> String {
+    let text = |value: &Value| value.as_str().map(str::to_owned);
+    let short = |value: &Value| value.as_str().map(|hash| hash.chars().take(12).collect::<String>());
+    let machine = &manifest["machine"];
+    let facts = [
+        ("netcast", text(&summary["netcast"]).or(text(&manifest["version"]))),
+        ("revision", short(&manifest["revision"])),
+        ("inputs", short(&manifest["input_hash"])),
+        ("started", text(&manifest["started"])),
+        ("computed in", manifest["wall_time_s"].as_f64().map(duration)),
+        ("threads", manifest["threads"].as_u64().map(|threads| threads.to_string())),
+        ("on", text(&machine["cpu"])),
+        ("system", text(&machine["os"]).zip(text(&machine["arch"])).map(|(os, arch)| format!("{os} {arch}"))),
+        ("seed", manifest["seed"].as_u64().map(|seed| seed.to_string())),
+    ];
+    facts
+        .into_iter()
+        .filter_map(|(name, value)| Some(format!("<div><dt>{name}</dt><dd>{}</dd></div>\n", escape(&value?))))
+        .collect()
+}
+
+/// The figures as JSON within a script element, where no `<` may stand.
+fn data(figures: &[Figure]) -> String {
+    Value::Array(figures.iter().map(Figure::json).collect()).to_string().replace('<', "\\u003c")
+}
+
+/// plotly.js as a script element, without the typesetting of formulas that the crate puts after it.
+fn library() -> String {
+    const END: &str = "</script>";
+    let mut sources = Plot::offline_js_sources();
+    if let Some(end) = sources.find(END) {
+        sources.truncate(end + END.len());
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_filled_in_is_not_filled_again() {
+        let parts = [("title", "{{words}} & {{".to_owned()), ("words", "none".to_owned())];
+        assert_eq!(fill("<h1>{{title}}</h1>{{words}}", &parts), "<h1>{{words}} & {{</h1>none");
+    }
+
+    #[test]
+    fn the_library_is_one_script() {
+        let library = library();
+        assert!(library.contains("plotly.js v"));
+        assert_eq!(library.matches("<script").count() - library.matches("\"<script").count(), 1);
+        assert!(library.len() < 5_000_000, "{} bytes: more than plotly.js alone", library.len());
+    }
+}

@@ -1,0 +1,238 @@
+//! What happened, in a designer's words.
+
+use serde_json::Value;
+
+use crate::format::{percent, significant, time, with_prefix};
+
+/// The result of a run as sentences, most important first, from the value of its `summary.json`.
+///
+/// What a scenario does not have (null or missing) is not spoken of; the first sentence says it where a run did not
+/// reach its end.
+///
+/// ```
+/// let summary = serde_json::json!({
+///     "finished": true,
+///     "opening": {"area_max_m2": 15.8, "area_max_time_s": 0.131, "reference_area_m2": 16.238},
+/// });
+/// assert_eq!(netcast_report::words(&summary)[0], "Opens to 15.8 m² (97 % of the flat web) at 0.131 s.");
+/// ```
+pub fn words(summary: &Value) -> Vec<String> {
+    [unfinished, opening, effective_opening, hardest_pull, bottom_pull, tractors, fastest_point, posture, energy]
+        .iter()
+        .filter_map(|sentence| sentence(summary))
+        .collect()
+}
+
+fn unfinished(summary: &Value) -> Option<String> {
+    let said = "The run stopped before its end: what follows covers the time up to there.";
+    (summary["finished"].as_bool() == Some(false)).then(|| said.to_owned())
+}
+
+fn opening(summary: &Value) -> Option<String> {
+    let opening = &summary["opening"];
+    let area = opening["area_max_m2"].as_f64()?;
+    let share = opening["reference_area_m2"].as_f64().filter(|reference| *reference > 0.0);
+    let share = share.map(|reference| format!(" ({} of the flat web)", percent(area / reference)));
+    Some(format!("Opens to {} m²{}{}.", significant(area), share.unwrap_or_default(), at(&opening["area_max_time_s"])))
+}
+
+fn effective_opening(summary: &Value) -> Option<String> {
+    let opening = &summary["opening"];
+    opening["area_max_m2"].as_f64()?;
+    opening["reference_area_m2"].as_f64()?;
+    let (Some(from), Some(to)) = (opening["effective_from_s"].as_f64(), opening["effective_to_s"].as_f64()) else {
+        return Some("Never reaches 80 % of the flat web.".into());
+    };
+    let spell = to - from;
+    let total = opening["effective_duration_s"].as_f64().unwrap_or(spell);
+    // more than one spell: the longest is told, and what all of them come to
+    Some(if total > spell * 1.001 + 1e-9 {
+        format!("At least 80 % open from {} to {}, its longest spell; {} in all.", time(from), time(to), time(total))
+    } else {
+        format!("At least 80 % open from {} to {}, for {}.", time(from), time(to), time(spell))
+    })
+}
+
+fn hardest_pull(summary: &Value) -> Option<String> {
+    let tension = &summary["tension"];
+    let max = tension["max_n"].as_f64().filter(|max| *max > 0.0)?;
+    let class = tension["max_where"].as_str();
+    let rope = class.map(|class| format!(" is {} {class} rope", article(class))).unwrap_or(" bears".into());
+    let colon = if class.is_some() { ":" } else { "" };
+    let margin = class.and_then(|class| tension["by_class"][class]["margin"].as_f64());
+    let margin = margin.map(|margin| match margin >= 1.0 {
+        true => format!("; its strength is {} times that", significant(margin)),
+        false => format!(", beyond its strength (margin {})", significant(margin)),
+    });
+    Some(format!(
+        "The hardest pulled rope{rope}{colon} {}{}{}.",
+        with_prefix(max, "N"),
+        at(&tension["max_time_s"]),
+        margin.unwrap_or_default()
+    ))
+}
+
+fn bottom_pull(summary: &Value) -> Option<String> {
+    let tension = &summary["tension"];
+    let max = tension["bottom_max_n"].as_f64()?;
+    let mean = tension["bottom_mean_n"].as_f64();
+    let mean = mean.map(|mean| format!(", {} on average while the web opens", with_prefix(mean, "N")));
+    Some(format!(
+        "The bottom ropes, which meet point B, bear up to {}{}.",
+        with_prefix(max, "N"),
+        mean.unwrap_or_default()
+    ))
+}
+
+fn tractors(summary: &Value) -> Option<String> {
+    let travel = summary["points"]["tractor"]["peak_travel_m"].as_f64().filter(|travel| *travel > 0.0);
+    let area = summary["opening"]["tractor_area_max_m2"].as_f64();
+    let travel = travel.map(|travel| {
+        let when = summary["points"]["tractor"]["peak_travel_time_s"].as_f64();
+        let when = when.map(|seconds| format!(" by {}", time(seconds))).unwrap_or_default();
+        format!("travel {} m along the launch axis{when}", significant(travel))
+    });
+    let area = area.map(|area| {
+        let when = at(&summary["opening"]["tractor_area_max_time_s"]);
+        format!("span up to {} m²{when}", significant(area))
+    });
+    let done: Vec<String> = travel.into_iter().chain(area).collect();
+    (!done.is_empty()).then(|| format!("The tractors {}.", done.join(" and ")))
+}
+
+fn fastest_point(summary: &Value) -> Option<String> {
+    // tractors, corners and the centre are told of elsewhere: this is about the points that a designer named
+    let named = summary["points"].as_object()?.iter().filter(|(name, _)| !is_part_of_the_web(name));
+    let speeds = named.filter_map(|(name, point)| Some((name, point, point["peak_speed_m_s"].as_f64()?)));
+    let (name, point, speed) = speeds.max_by(|(_, _, a), (_, _, b)| a.total_cmp(b)).filter(|(_, _, v)| *v > 0.0)?;
+    Some(format!("Point {name} is the fastest: {} m/s{}.", significant(speed), at(&point["peak_speed_time_s"])))
+}
+
+fn is_part_of_the_web(name: &str) -> bool {
+    matches!(name, "tractor" | "corner" | "centre")
+}
+
+fn posture(summary: &Value) -> Option<String> {
+    let posture = &summary["posture"];
+    let trails = match (posture["concave_from_s"].as_f64(), posture["concave_to_s"].as_f64()) {
+        (Some(from), Some(to)) => Some(format!("trails the outline from {} until {}", time(from), time(to))),
+        (Some(from), None) => Some(format!("trails the outline from {} on", time(from))),
+        _ => None,
+    };
+    let leads = posture["convex_from_s"].as_f64().map(|from| format!("leads it from {}", time(from)));
+    match (trails, leads) {
+        (Some(trails), Some(leads)) => Some(format!("The middle {trails} and {leads}.")),
+        (Some(trails), None) => Some(format!("The middle {trails} and never leads it.")),
+        (None, Some(_)) => {
+            Some(format!("The middle leads the outline from {}.", time(posture["convex_from_s"].as_f64()?)))
+        }
+        (None, None) => None,
+    }
+}
+
+fn energy(summary: &Value) -> Option<String> {
+    let energy = &summary["energy"];
+    let closure = energy["closure"].as_f64()?;
+    let web = energy["closure_web"].as_f64();
+    let web = web.map(|web| format!(" ({} of what the web itself holds)", percent(web))).unwrap_or_default();
+    Some(match energy["tolerance"].as_f64() {
+        Some(tolerance) if closure > tolerance => format!(
+            "The energy balance is off by {}{web}, more than the {} allowed: do not trust these numbers.",
+            percent(closure),
+            percent(tolerance)
+        ),
+        _ => format!("The energy balance closes to {}{web}.", percent(closure)),
+    })
+}
+
+fn at(time_s: &Value) -> String {
+    time_s.as_f64().map(|seconds| format!(" at {}", time(seconds))).unwrap_or_default()
+}
+
+fn article(noun: &str) -> &'static str {
+    if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn full() -> Value {
+        json!({
+            "finished": true,
+            "opening": {
+                "area_max_m2": 15.8, "area_max_time_s": 0.131, "reference_area_m2": 16.238,
+                "effective_from_s": 0.112, "effective_to_s": 0.193, "effective_duration_s": 0.081,
+                "tractor_area_max_m2": 32.4, "tractor_area_max_time_s": 0.16
+            },
+            "points": {
+                "A": {"peak_speed_m_s": 71.0, "peak_speed_time_s": 0.01},
+                "B": {"peak_speed_m_s": 112.4, "peak_speed_time_s": 0.07},
+                "tractor": {"peak_speed_m_s": 900.0, "peak_travel_m": 5.93, "peak_travel_time_s": 0.5}
+            },
+            "tension": {
+                "max_n": 51000.0, "max_time_s": 0.15, "max_where": "outline",
+                "bottom_max_n": 14200.0, "bottom_mean_n": 3900.0,
+                "by_class": {"outline": {"max_n": 51000.0, "margin": 1.84}}
+            },
+            "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
+            "energy": {"closure": 0.0005, "closure_web": 0.0031, "tolerance": 0.003}
+        })
+    }
+
+    #[test]
+    fn a_launch_is_told_in_full() {
+        assert_eq!(
+            words(&full()),
+            [
+                "Opens to 15.8 m² (97 % of the flat web) at 0.131 s.",
+                "At least 80 % open from 0.112 s to 0.193 s, for 0.081 s.",
+                "The hardest pulled rope is an outline rope: 51.0 kN at 0.150 s; its strength is 1.84 times that.",
+                "The bottom ropes, which meet point B, bear up to 14.2 kN, 3.90 kN on average while the web opens.",
+                "The tractors travel 5.93 m along the launch axis by 0.500 s and span up to 32.4 m² at 0.160 s.",
+                "Point B is the fastest: 112 m/s at 0.070 s.",
+                "The middle trails the outline from 0.004 s until 0.187 s and leads it from 0.212 s.",
+                "The energy balance closes to 0.050 % (0.31 % of what the web itself holds).",
+            ]
+        );
+    }
+
+    #[test]
+    fn what_is_null_or_missing_is_not_spoken_of() {
+        assert!(words(&json!({})).is_empty());
+        let summary = json!({
+            "finished": true,
+            "opening": {"area_max_m2": null, "reference_area_m2": null},
+            "points": {"tractor": null, "centre": {"peak_travel_m": 0.2}},
+            "tension": {"max_n": 120.0, "max_time_s": null, "max_where": null},
+            "posture": {"concave_from_s": null, "concave_to_s": null, "convex_from_s": null},
+            "energy": {"closure": 0.0, "closure_web": null}
+        });
+        assert_eq!(words(&summary), ["The hardest pulled rope bears 120 N.", "The energy balance closes to 0 %."]);
+    }
+
+    #[test]
+    fn what_went_wrong_is_said() {
+        let mut summary = full();
+        summary["finished"] = json!(false);
+        summary["opening"]["effective_from_s"] = json!(null);
+        summary["tension"]["by_class"]["outline"]["margin"] = json!(0.8);
+        summary["energy"]["closure"] = json!(0.02);
+        let told = words(&summary);
+        assert!(told[0].contains("stopped before its end"));
+        assert_eq!(told[2], "Never reaches 80 % of the flat web.");
+        assert!(told[3].contains("beyond its strength (margin 0.800)"));
+        assert!(told.last().unwrap().contains("off by 2.0 %") && told.last().unwrap().contains("do not trust"));
+    }
+
+    #[test]
+    fn several_spells_of_opening_are_told_apart_from_one() {
+        let mut summary = full();
+        summary["opening"]["effective_duration_s"] = json!(0.12);
+        assert_eq!(
+            words(&summary)[1],
+            "At least 80 % open from 0.112 s to 0.193 s, its longest spell; 0.120 s in all."
+        );
+    }
+}

@@ -1,0 +1,217 @@
+//! Checks a scenario as it was written against its schema, and collects everything that is wrong.
+
+use serde_json::{Map, Value as Json};
+
+use crate::diagnostic::Diagnostic;
+use crate::dimension::Kind;
+use crate::interval::Interval;
+use crate::later::is_kept_for_later;
+use crate::nearest::nearest;
+use crate::path::Path;
+use crate::schema::{choices, find_key, schema, variants};
+use crate::tree::{Node, Table, Value};
+use crate::written::Written;
+
+type Schema = Map<String, Json>;
+
+/// Everything in `written` that its schema does not admit.
+pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
+    let mut check = Check { written, found: Vec::new() };
+    if let Some(root) = schema().as_object() {
+        check.value(&written.tree.root, root, &Path::default());
+    }
+    check.found
+}
+
+struct Check<'a> {
+    written: &'a Written,
+    found: Vec<Diagnostic>,
+}
+
+impl Check<'_> {
+    fn value(&mut self, node: &Node, schema: &Schema, path: &Path) {
+        if let Some(kind) = schema.get("x-dimension").and_then(Json::as_str).and_then(Kind::named) {
+            self.quantity(node, kind, schema, path);
+        } else if let Some(variants) = variants(schema) {
+            self.variant(node, &variants, path);
+        } else if let Some(choices) = choices(schema) {
+            self.choice(node, &choices, path);
+        } else {
+            match (schema.get("type").and_then(Json::as_str), &node.value) {
+                (Some("object"), Value::Table(table)) => self.table(table, schema, path),
+                (Some("array"), Value::Array(elements)) => self.array(elements, schema, path),
+                (Some("integer"), Value::Integer(number)) if Interval::from_schema(schema).contains(*number as f64) => {
+                }
+                (Some("string"), Value::String(_)) | (Some("boolean"), Value::Boolean(_)) => {}
+                (expected, found) => {
+                    let expected = describe(expected, schema);
+                    self.at_value(path, format!("expected {expected}, found {}", found.describe()), None);
+                }
+            }
+        }
+    }
+
+    fn quantity(&mut self, node: &Node, kind: &Kind, schema: &Schema, path: &Path) {
+        let interval = Interval::from_schema(schema);
+        let read = match &node.value {
+            Value::String(text) => kind.read_text(text, &interval).map_err(|error| error.to_string()),
+            Value::Integer(number) => kind.read_number(*number as f64, &interval).map_err(|error| error.to_string()),
+            Value::Float(number) => kind.read_number(*number, &interval).map_err(|error| error.to_string()),
+            other => Err(format!("expected {}, found {}", kind.expected(&interval), other.describe())),
+        };
+        if let Err(message) = read {
+            self.at_value(path, message, None);
+        }
+    }
+
+    fn variant(&mut self, node: &Node, variants: &[(&str, &Schema)], path: &Path) {
+        let tables: Vec<String> = variants.iter().map(|(name, _)| format!("[{}]", path.key(name))).collect();
+        let expected = match tables.as_slice() {
+            [only] => only.clone(),
+            several => format!("one of {}", several.join(", ")),
+        };
+        let Value::Table(table) = &node.value else {
+            let message = format!("expected {expected}, found {}", node.value.describe());
+            return self.at_value(path, message, None);
+        };
+        let mut first: Option<&str> = None;
+        let mut strangers = false;
+        for entry in &table.0 {
+            let here = path.key(&entry.key);
+            match (variants.iter().find(|(name, _)| *name == entry.key), first) {
+                (None, _) => {
+                    strangers = true;
+                    let help = match entry.node.value.as_text() {
+                        Some(kind) if entry.key == "type" || entry.key == "kind" => {
+                            let kind = nearest(kind, variants.iter().map(|(name, _)| *name));
+                            let table = kind.map_or(expected.clone(), |kind| format!("[{}]", path.key(&kind)));
+                            Some(format!("the name of a table chooses: write {table}"))
+                        }
+                        _ => None,
+                    };
+                    self.unknown_key(&here, &entry.key, variants.iter().map(|(name, _)| *name).collect(), help);
+                }
+                (Some((name, schema)), None) => {
+                    first = Some(name);
+                    self.value(&entry.node, schema, &here);
+                }
+                (Some((_, schema)), Some(first)) => {
+                    let message = format!("expected only one of its kind, found `{first}` and `{}`", entry.key);
+                    let help =
+                        format!("an override can replace the whole table: --set '{path}={{{} = {{...}}}}'", entry.key);
+                    self.found.push(self.written.at_key(&here, message).with_help(help));
+                    self.value(&entry.node, schema, &here);
+                }
+            }
+        }
+        if first.is_none() && !strangers {
+            self.at_value(path, format!("expected {expected}, found an empty table"), None);
+        }
+    }
+
+    fn choice(&mut self, node: &Node, choices: &[&str], path: &Path) {
+        let text = node.value.as_text();
+        if text.is_some_and(|text| choices.contains(&text)) {
+            return;
+        }
+        let listed: Vec<String> = choices.iter().map(|choice| format!("{choice:?}")).collect();
+        let help = text.and_then(|text| nearest(text, choices)).map(|near| format!("did you mean {near:?}?"));
+        self.at_value(path, format!("expected {}, found {}", listed.join(" or "), node.value.describe()), help);
+    }
+
+    fn array(&mut self, elements: &[Node], schema: &Schema, path: &Path) {
+        let Some(items) = schema.get("items").and_then(Json::as_object) else { return };
+        for (index, element) in elements.iter().enumerate() {
+            self.value(element, items, &path.index(index));
+        }
+    }
+
+    fn table(&mut self, table: &Table, schema: &Schema, path: &Path) {
+        // a table of things the user names
+        if let Some(named) = schema.get("additionalProperties").and_then(Json::as_object) {
+            for entry in &table.0 {
+                self.value(&entry.node, named, &path.key(&entry.key));
+            }
+            return;
+        }
+        let empty = Schema::new();
+        let properties = schema.get("properties").and_then(Json::as_object).unwrap_or(&empty);
+        let known: Vec<&str> = properties.keys().map(String::as_str).collect();
+        let mut meant = Vec::new();
+        for entry in &table.0 {
+            let here = path.key(&entry.key);
+            match properties.get(&entry.key).and_then(Json::as_object) {
+                Some(content) => self.value(&entry.node, content, &here),
+                None => {
+                    meant.extend(nearest(&entry.key, &known));
+                    self.unknown_key(&here, &entry.key, known.clone(), None);
+                }
+            }
+        }
+        // a missing key that a misspelt one stands for has been reported
+        let missing = strings(schema.get("required")).filter(|key| table.get(key).is_none());
+        for key in missing.filter(|key| !meant.iter().any(|meant| meant == key)) {
+            let content = properties.get(key).and_then(Json::as_object).unwrap_or(&empty);
+            let help = expected_at(&path.key(key), key, content);
+            self.at_value(&path.key(key), format!("missing key `{key}`"), Some(help));
+        }
+        let exclusive: Vec<&str> = strings(schema.get("not").and_then(|not| not.get("required"))).collect();
+        if !exclusive.is_empty() && exclusive.iter().all(|key| table.get(key).is_some()) {
+            let written_last = table.keys().filter(|key| exclusive.contains(key)).last().unwrap_or_default();
+            let message = format!("expected only one of `{}`", exclusive.join("` and `"));
+            self.found.push(self.written.at_key(&path.key(written_last), message));
+        }
+    }
+
+    fn unknown_key(&mut self, path: &Path, key: &str, known: Vec<&str>, help: Option<String>) {
+        if is_kept_for_later(&path.to_string()) {
+            let message = format!("`{path}` is not available in this version yet");
+            return self.found.push(self.written.at_key(path, message));
+        }
+        let listed = || format!("known here: {}", known.join(", "));
+        let help = help.unwrap_or_else(|| match (nearest(key, &known), find_key(schema(), key).as_slice()) {
+            (Some(near), _) => format!("did you mean `{near}`? {}", listed()),
+            (None, []) => listed(),
+            (None, elsewhere) => format!("there is {}; {}", elsewhere.join(", "), listed()),
+        });
+        self.found.push(self.written.at_key(path, format!("unknown key `{key}`")).with_help(help));
+    }
+
+    fn at_value(&mut self, path: &Path, message: String, help: Option<String>) {
+        self.found.push(self.written.at_value(path, message).with_help_if(help));
+    }
+}
+
+fn strings(list: Option<&Json>) -> impl Iterator<Item = &str> {
+    list.and_then(Json::as_array).into_iter().flatten().filter_map(Json::as_str)
+}
+
+/// What a place that is no quantity takes.
+fn describe(kind: Option<&str>, schema: &Schema) -> String {
+    match kind {
+        Some("object") => "a table".to_string(),
+        Some("array") => "an array".to_string(),
+        Some("string") => "a string".to_string(),
+        Some("boolean") => "true or false".to_string(),
+        Some("integer") => {
+            let bounds = Interval::from_schema(schema).describe(Default::default());
+            format!("a whole number {bounds}").trim_end().to_string()
+        }
+        _ => "something else".to_string(),
+    }
+}
+
+/// What a missing key takes, for the one who adds it.
+fn expected_at(path: &Path, key: &str, schema: &Schema) -> String {
+    if let Some(kind) = schema.get("x-dimension").and_then(Json::as_str).and_then(Kind::named) {
+        return format!("`{key}` is {}", kind.expected(&Interval::from_schema(schema)));
+    }
+    match variants(schema) {
+        Some(variants) => {
+            let tables: Vec<String> = variants.iter().map(|(name, _)| format!("[{}]", path.key(name))).collect();
+            format!("write one of {}", tables.join(", "))
+        }
+        None if schema.get("type").and_then(Json::as_str) == Some("object") => format!("write [{path}]"),
+        None => format!("`{key}` is {}", describe(schema.get("type").and_then(Json::as_str), schema)),
+    }
+}

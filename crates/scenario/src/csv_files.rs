@@ -1,0 +1,238 @@
+//! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`. All in
+//! SI.
+
+use std::collections::BTreeMap;
+use std::num::NonZeroU32;
+
+use crate::csv_table::{Cells, CsvTable};
+use crate::diagnostic::Diagnostic;
+use crate::interval::{Any, NonNegative, Positive, Within};
+use crate::nearest::nearest;
+use crate::path::Path;
+use crate::rules::unknown_rope;
+use crate::tree::Value;
+use crate::written::Written;
+
+/// A row of the nodes of `[web.graph]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NodeRow {
+    /// The node's id, unique.
+    pub id: String,
+    /// Position x, y, z, m.
+    pub position_m: [f64; 3],
+    /// Mass tied to the node beside that of its ropes, kg.
+    pub mass_kg: f64,
+    /// Whether it stays put.
+    pub fixed: bool,
+    /// Velocity x, y, z at the start, m/s.
+    pub velocity_m_s: [f64; 3],
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+/// A row of the ropes of `[web.graph]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RopeRow {
+    /// The node it starts at, as an index into the nodes.
+    pub a: usize,
+    /// The node it ends at, as an index into the nodes.
+    pub b: usize,
+    /// Its name in `[ropes]`; none for that of its class.
+    pub rope: Option<String>,
+    /// Its link class.
+    pub class: Option<String>,
+    /// Its rest length, m; none for the distance between its ends.
+    pub rest_length_m: Option<f64>,
+    /// Its tension as drawn, N; none for that of its rope.
+    pub pretension_n: Option<f64>,
+    /// How many segments it is cut into; none for what `[solve]` says.
+    pub segments: Option<NonZeroU32>,
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+/// A row of `[stow.file]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StowRow {
+    /// The node's id, unique.
+    pub id: String,
+    /// Position x, y, z, m.
+    pub position_m: [f64; 3],
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+/// A node as [`write_stow`] writes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StowedNode {
+    /// The node's id.
+    pub id: String,
+    /// Position x, y, z, m.
+    pub position_m: [f64; 3],
+}
+
+/// Writes a file for `[stow.file]`. Decimals are the shortest that read back to the same bits.
+///
+/// # Errors
+/// Where the file cannot be written.
+pub fn write_stow(path: &std::path::Path, nodes: impl IntoIterator<Item = StowedNode>) -> Result<(), csv::Error> {
+    let mut file = csv::Writer::from_path(path)?;
+    file.write_record(["id", "x", "y", "z"])?;
+    for StowedNode { id, position_m: [x, y, z] } in nodes {
+        file.write_record([id, x.to_string(), y.to_string(), z.to_string()])?;
+    }
+    Ok(file.flush()?)
+}
+
+/// The nodes and ropes of `[web.graph]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GraphFiles {
+    /// The nodes.
+    pub nodes: Vec<NodeRow>,
+    /// The ropes.
+    pub ropes: Vec<RopeRow>,
+}
+
+/// Reads the files of `[web.graph]`; none where the scenario has another web or a file cannot be read.
+pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Option<GraphFiles> {
+    let nodes =
+        CsvTable::read(written, "web.graph.nodes", &["id", "x", "y", "z"], &["mass", "fixed", "vx", "vy", "vz"], found);
+    let ropes = CsvTable::read(
+        written,
+        "web.graph.ropes",
+        &["a", "b"],
+        &["rope", "class", "rest_length", "pretension", "segments"],
+        found,
+    );
+    for (table, what) in [(&nodes, "no nodes"), (&ropes, "no ropes")] {
+        found.extend(table.as_ref().filter(|table| table.len() == 0).map(|table| table.whole(what)));
+    }
+    let mut ids = Ids::default();
+    // a node whose row is faulty still has its id: ropes may name it
+    let nodes = nodes?.rows(found, |cells| {
+        let id = ids.take(cells)?;
+        let [position_m, velocity_m_s] = [position(cells), velocity(cells)];
+        let mass = cells.optional_number("mass", &NonNegative::INTERVAL);
+        let fixed = fixed(cells)?;
+        let (position_m, velocity_m_s, mass_kg) = (position_m?, velocity_m_s?, mass?.unwrap_or(0.0));
+        Some(NodeRow { id, position_m, mass_kg, fixed, velocity_m_s, line: cells.line() })
+    });
+    check_names(written, &ids, found);
+    let ropes = ropes?.rows(found, |cells| {
+        let [a, b] = ["a", "b"].map(|column| ids.find(cells, column));
+        if a.is_some() && a == b {
+            cells.fault("a rope needs two different ends".into(), None);
+        }
+        let rope = cells.optional_text("rope");
+        if let Some((message, help)) = rope.and_then(|name| unknown_rope(written, name)) {
+            cells.fault(message, Some(help));
+        }
+        let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL);
+        let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL);
+        let segments = segments(cells);
+        Some(RopeRow {
+            a: a?,
+            b: b?,
+            rope: rope.map(str::to_string),
+            class: cells.optional_text("class").map(str::to_string),
+            rest_length_m: rest_length?,
+            pretension_n: pretension?,
+            segments: segments?,
+            line: cells.line(),
+        })
+    });
+    Some(GraphFiles { nodes, ropes })
+}
+
+/// Reads the file of `[stow.file]`; none where the web is packed in another way or the file cannot be read.
+pub(crate) fn read_stow(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<StowRow>> {
+    let table = CsvTable::read(written, "stow.file.path", &["id", "x", "y", "z"], &[], found)?;
+    let mut ids = Ids::default();
+    Some(table.rows(found, |cells| {
+        let id = ids.take(cells)?;
+        Some(StowRow { id, position_m: position(cells)?, line: cells.line() })
+    }))
+}
+
+/// The ids of the nodes, each with its line and its place in the file.
+#[derive(Default)]
+struct Ids(BTreeMap<String, (usize, usize)>);
+
+impl Ids {
+    fn take(&mut self, cells: &mut Cells) -> Option<String> {
+        let id = cells.text("id", "a name")?.to_string();
+        if let Some((line, _)) = self.0.get(&id) {
+            cells.fault(format!("node {id:?} stands in line {line} already"), None);
+            return None;
+        }
+        self.0.insert(id.clone(), (cells.line(), self.0.len()));
+        Some(id)
+    }
+
+    fn find(&self, cells: &mut Cells, column: &str) -> Option<usize> {
+        let id = cells.text(column, "the id of a node")?;
+        match self.0.get(id) {
+            Some((_, place)) => Some(*place),
+            None => {
+                cells.fault(format!("{column}: unknown node {id:?}"), self.suggest(id));
+                None
+            }
+        }
+    }
+
+    fn suggest(&self, id: &str) -> Option<String> {
+        nearest(id, self.0.keys()).map(|near| format!("did you mean {near:?}?"))
+    }
+}
+
+/// Checks the nodes that the scenario itself names.
+fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
+    for list in ["web.graph.outline", "web.graph.corners", "hold.nodes", "points"] {
+        let path = Path::parse(list);
+        let named: Vec<_> = match written.tree.get(&path).map(|node| &node.value) {
+            Some(Value::Array(elements)) => {
+                elements.iter().enumerate().map(|(index, node)| (path.index(index), &node.value)).collect()
+            }
+            Some(Value::Table(table)) => {
+                table.0.iter().map(|entry| (path.key(&entry.key), &entry.node.value)).collect()
+            }
+            _ => continue,
+        };
+        for (path, id) in named.iter().filter_map(|(path, value)| Some((path, value.as_text()?))) {
+            if !ids.0.contains_key(id) {
+                let message = format!("unknown node {id:?}");
+                found.push(written.at_value(path, message).with_help_if(ids.suggest(id)));
+            }
+        }
+    }
+}
+
+fn position(cells: &mut Cells) -> Option<[f64; 3]> {
+    let [x, y, z] = ["x", "y", "z"].map(|column| cells.number(column));
+    Some([x?, y?, z?])
+}
+
+fn velocity(cells: &mut Cells) -> Option<[f64; 3]> {
+    let [x, y, z] = ["vx", "vy", "vz"].map(|column| cells.optional_number(column, &Any::INTERVAL));
+    Some([x?, y?, z?].map(|speed| speed.unwrap_or(0.0)))
+}
+
+fn fixed(cells: &mut Cells) -> Option<bool> {
+    match cells.optional_text("fixed") {
+        None | Some("0") => Some(false),
+        Some("1") => Some(true),
+        Some(other) => {
+            cells.fault(format!("fixed: expected 0 or 1, found {other:?}"), None);
+            None
+        }
+    }
+}
+
+fn segments(cells: &mut Cells) -> Option<Option<NonZeroU32>> {
+    let Some(text) = cells.optional_text("segments") else { return Some(None) };
+    let segments = text.parse().ok();
+    if segments.is_none() {
+        cells.fault(format!("segments: expected a whole number of at least 1, found {text:?}"), None);
+    }
+    segments.map(Some)
+}

@@ -1,0 +1,212 @@
+//! A CSV file with a header: its columns checked, its cells read, everything wrong collected with line numbers.
+
+use std::ops::Range;
+use std::path::Path as FilePath;
+use std::sync::Arc;
+
+use crate::diagnostic::{Diagnostic, Place, Source};
+use crate::interval::Interval;
+use crate::nearest::nearest;
+use crate::path::Path;
+use crate::written::Written;
+
+/// After so many faults in one file the rest is only counted.
+const MOST_FAULTS: usize = 20;
+
+/// A CSV file that a scenario names.
+pub(crate) struct CsvTable {
+    source: Arc<Source>,
+    path: Path,
+    columns: Vec<String>,
+    rows: Vec<Row>,
+    faults: Vec<Diagnostic>,
+}
+
+struct Row {
+    span: Range<usize>,
+    line: usize,
+    cells: Vec<String>,
+}
+
+impl CsvTable {
+    /// Reads the file that the scenario names at `path`; none where it names none, or the file cannot be read at all.
+    pub(crate) fn read(
+        written: &Written,
+        path: &str,
+        required: &[&str],
+        optional: &[&str],
+        found: &mut Vec<Diagnostic>,
+    ) -> Option<Self> {
+        let path = Path::parse(path);
+        let name = written.tree.get(&path)?.value.as_text()?;
+        let file = written.folder.join(name);
+        let text = match read_text(&file) {
+            Ok(text) => text,
+            Err(reason) => {
+                found.push(written.at_value(&path, format!("cannot read {}: {reason}", file.display())));
+                return None;
+            }
+        };
+        let source = Arc::new(Source { name: file.display().to_string(), text });
+        let mut table = Self { source, path, columns: Vec::new(), rows: Vec::new(), faults: Vec::new() };
+        table.split();
+        match table.check_header(required, optional) {
+            true => Some(table),
+            false => {
+                found.append(&mut table.faults);
+                None
+            }
+        }
+    }
+
+    fn split(&mut self) {
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(self.source.text.as_bytes());
+        let mut record = csv::StringRecord::new();
+        // the text is in memory and valid UTF-8: nothing is left that could fail
+        while reader.read_record(&mut record).is_ok_and(|more| more) {
+            let Some(position) = record.position() else { continue };
+            let text = &self.source.text;
+            let mut start = (position.byte() as usize).min(text.len());
+            // blank lines before a record count as its own
+            let blank = text[start..].bytes().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
+            let line = position.line() as usize + text[start..start + blank].matches('\n').count();
+            start += blank;
+            let length = text[start..].find(['\n', '\r']).unwrap_or(text.len() - start);
+            let cells = record.iter().map(str::to_string).collect();
+            self.rows.push(Row { span: start..start + length, line, cells });
+        }
+        if !self.rows.is_empty() {
+            self.columns = self.rows[0].cells.clone();
+        }
+    }
+
+    fn check_header(&mut self, required: &[&str], optional: &[&str]) -> bool {
+        let known: Vec<&str> = required.iter().chain(optional).copied().collect();
+        let expected = format!("expected the columns {}", known.join(","));
+        let header = self.rows.first().map_or(0..0, |row| row.span.clone());
+        let columns = self.columns.clone();
+        for (place, column) in columns.iter().enumerate() {
+            if columns[..place].contains(column) {
+                self.fault(header.clone(), format!("column `{column}` appears twice"), None);
+            } else if !known.contains(&column.as_str()) {
+                let help = nearest(column, &known).map(|near| format!("did you mean `{near}`?"));
+                self.fault(header.clone(), format!("unknown column {column:?}, {expected}"), help);
+            }
+        }
+        for column in required.iter().filter(|column| !columns.iter().any(|found| found == *column)) {
+            self.fault(header.clone(), format!("missing column `{column}`, {expected}"), None);
+        }
+        self.faults.is_empty()
+    }
+
+    /// Reads every row with `read`, which gives none where it has reported a fault.
+    pub(crate) fn rows<T>(
+        mut self,
+        found: &mut Vec<Diagnostic>,
+        mut read: impl FnMut(&mut Cells) -> Option<T>,
+    ) -> Vec<T> {
+        let mut read_rows = Vec::new();
+        let mut overflow = 0;
+        let rows = std::mem::take(&mut self.rows);
+        for row in rows.iter().skip(1) {
+            let mut cells = Cells { columns: &self.columns, row, faults: Vec::new() };
+            if row.cells.len() == self.columns.len() {
+                read_rows.extend(read(&mut cells));
+            } else {
+                cells.fault(format!("expected {} values, found {}", self.columns.len(), row.cells.len()), None);
+            }
+            for (message, help) in cells.faults {
+                if self.faults.len() < MOST_FAULTS {
+                    self.fault(row.span.clone(), message, help);
+                } else {
+                    overflow += 1;
+                }
+            }
+        }
+        if overflow > 0 {
+            let end = self.source.text.len();
+            self.fault(end..end, format!("and {overflow} more faults"), None);
+        }
+        found.append(&mut self.faults);
+        read_rows
+    }
+
+    /// Something wrong with the file as a whole.
+    pub(crate) fn whole(&self, message: &str) -> Diagnostic {
+        Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span: 0..0 }))
+    }
+
+    /// How many rows follow the header.
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len().saturating_sub(1)
+    }
+
+    fn fault(&mut self, span: Range<usize>, message: String, help: Option<String>) {
+        let place = Place::File { source: self.source.clone(), span };
+        self.faults.push(Diagnostic::new(&self.path, message, Some(place)).with_help_if(help));
+    }
+}
+
+fn read_text(file: &FilePath) -> Result<String, String> {
+    let bytes = std::fs::read(file).map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_string())
+}
+
+/// The cells of one row.
+pub(crate) struct Cells<'a> {
+    columns: &'a [String],
+    row: &'a Row,
+    faults: Vec<(String, Option<String>)>,
+}
+
+impl<'a> Cells<'a> {
+    /// The line of the file, from 1.
+    pub(crate) fn line(&self) -> usize {
+        self.row.line
+    }
+
+    /// Reports a fault of this row.
+    pub(crate) fn fault(&mut self, message: String, help: Option<String>) {
+        self.faults.push((message, help));
+    }
+
+    /// The text in `column`; none where the column is left out or the cell is empty.
+    pub(crate) fn optional_text(&self, column: &str) -> Option<&'a str> {
+        let place = self.columns.iter().position(|name| name == column)?;
+        Some(self.row.cells[place].as_str()).filter(|text| !text.is_empty())
+    }
+
+    /// The text in `column`, which must be there.
+    pub(crate) fn text(&mut self, column: &str, expected: &str) -> Option<&'a str> {
+        let text = self.optional_text(column);
+        if text.is_none() {
+            self.fault(format!("{column}: expected {expected}, found nothing"), None);
+        }
+        text
+    }
+
+    /// The number in `column`, which must be there and finite.
+    pub(crate) fn number(&mut self, column: &str) -> Option<f64> {
+        let text = self.text(column, "a number")?;
+        self.parse(column, text, &Interval::ALL, "a number")
+    }
+
+    /// The number in `column`, `Some(None)` where the cell is empty, none where it has reported a fault.
+    pub(crate) fn optional_number(&mut self, column: &str, interval: &Interval) -> Option<Option<f64>> {
+        let Some(text) = self.optional_text(column) else { return Some(None) };
+        let expected = format!("a number {}", interval.describe(Default::default()));
+        self.parse(column, text, interval, expected.trim_end()).map(Some)
+    }
+
+    fn parse(&mut self, column: &str, text: &str, interval: &Interval, expected: &str) -> Option<f64> {
+        let number = text.parse().ok().filter(|number: &f64| number.is_finite() && interval.contains(*number));
+        if number.is_none() {
+            self.fault(format!("{column}: expected {expected}, found {text:?}"), None);
+        }
+        number
+    }
+}

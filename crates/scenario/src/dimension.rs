@@ -1,0 +1,238 @@
+//! The kinds of quantity a scenario may hold: their dimension, their SI unit, and how an error names them.
+
+use std::fmt;
+
+use crate::interval::Interval;
+use crate::units::{self, UnitError};
+
+/// Exponents of the base units of a quantity. The radian counts as a base unit, so that an angle is no mere number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dimension {
+    /// Exponent of the metre.
+    pub length: i32,
+    /// Exponent of the kilogram.
+    pub mass: i32,
+    /// Exponent of the second.
+    pub time: i32,
+    /// Exponent of the radian.
+    pub angle: i32,
+}
+
+impl Dimension {
+    pub(crate) const fn new([length, mass, time, angle]: [i32; 4]) -> Self {
+        Self { length, mass, time, angle }
+    }
+
+    /// This dimension times `other` to the power `power`.
+    pub(crate) fn times(self, other: Self, power: i32) -> Self {
+        Self {
+            length: self.length + power * other.length,
+            mass: self.mass + power * other.mass,
+            time: self.time + power * other.time,
+            angle: self.angle + power * other.angle,
+        }
+    }
+}
+
+impl fmt::Display for Dimension {
+    /// The SI unit of the dimension, such as `m^2 kg s^-2`.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let factors = [("m", self.length), ("kg", self.mass), ("s", self.time), ("rad", self.angle)];
+        let written: Vec<String> = factors
+            .iter()
+            .filter(|(_, exponent)| *exponent != 0)
+            .map(|(unit, exponent)| if *exponent == 1 { unit.to_string() } else { format!("{unit}^{exponent}") })
+            .collect();
+        formatter.write_str(&written.join(" "))
+    }
+}
+
+/// A kind of quantity, such as a length.
+#[derive(Debug, PartialEq)]
+pub struct Kind {
+    /// What `x-dimension` says in the schema.
+    pub name: &'static str,
+    /// The name with its article, for sentences.
+    pub article_name: &'static str,
+    /// Its SI unit as a scenario writes it; empty for a number.
+    pub unit: &'static str,
+    /// What a user may write.
+    pub example: &'static str,
+    /// Its dimension.
+    pub dimension: Dimension,
+}
+
+/// What is wrong with a quantity.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum QuantityError {
+    /// The text is no number with a unit.
+    #[error("expected {expected}, found {text:?}: {error}")]
+    Unreadable {
+        /// What the place takes.
+        expected: String,
+        /// What stood there.
+        text: String,
+        /// Why it cannot be read.
+        error: UnitError,
+    },
+    /// The value has the dimension of something else.
+    #[error("expected {expected}, found {text:?}, which {}", describe(found))]
+    Dimension {
+        /// What the place takes.
+        expected: String,
+        /// What stood there.
+        text: String,
+        /// The dimension of what stood there.
+        found: Dimension,
+    },
+    /// The value lies outside what the place admits, or is not finite.
+    #[error("expected {expected}, found {text}")]
+    Range {
+        /// What the place takes.
+        expected: String,
+        /// What stood there.
+        text: String,
+    },
+}
+
+fn describe(found: &Dimension) -> String {
+    match Kind::of(*found) {
+        Some(kind) if kind.unit.is_empty() => "has no unit".to_string(),
+        Some(kind) => format!("is {}", kind.article_name),
+        None => format!("is in {found}"),
+    }
+}
+
+impl Kind {
+    /// The kind that `x-dimension` names.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        KINDS.iter().copied().find(|kind| kind.name == name)
+    }
+
+    /// The kind of quantity of a dimension.
+    pub fn of(dimension: Dimension) -> Option<&'static Self> {
+        KINDS.iter().copied().find(|kind| kind.dimension == dimension)
+    }
+
+    /// Reads `text`, a number with a unit, as a value in SI.
+    pub fn read_text(&self, text: &str, interval: &Interval) -> Result<f64, QuantityError> {
+        let measure = units::parse(text).map_err(|error| QuantityError::Unreadable {
+            expected: self.expected(interval),
+            text: text.to_string(),
+            error,
+        })?;
+        if measure.dimension != self.dimension {
+            return Err(QuantityError::Dimension {
+                expected: self.expected(interval),
+                text: text.to_string(),
+                found: measure.dimension,
+            });
+        }
+        self.admit(measure.si, interval, format!("{text:?}"))
+    }
+
+    /// Checks a bare number, which is in SI.
+    pub fn read_number(&self, si: f64, interval: &Interval) -> Result<f64, QuantityError> {
+        self.admit(si, interval, format!("{si:?}"))
+    }
+
+    fn admit(&self, si: f64, interval: &Interval, text: String) -> Result<f64, QuantityError> {
+        if si.is_finite() && interval.contains(si) {
+            Ok(si)
+        } else {
+            Err(QuantityError::Range { expected: self.expected(interval), text })
+        }
+    }
+
+    /// What a place of this kind takes, such as `a length greater than 0 such as "2.5 m"`.
+    pub fn expected(&self, interval: &Interval) -> String {
+        let bounds = interval.describe(self.dimension);
+        let space = if bounds.is_empty() { "" } else { " " };
+        if self.unit.is_empty() {
+            format!("{}{space}{bounds} such as {}", self.article_name, self.example)
+        } else {
+            format!("{}{space}{bounds} such as {:?}", self.article_name, self.example)
+        }
+    }
+}
+
+/// A marker type that stands for a kind of quantity.
+pub trait Measured {
+    /// The kind.
+    const KIND: &'static Kind;
+}
+
+macro_rules! kinds {
+    ($($marker:ident: $name:literal, $article_name:literal, $unit:literal, $example:literal, $exponents:expr;)*) => {
+        /// Markers for [`Quantity`](crate::quantity::Quantity), each named after its SI unit.
+        pub mod unit {
+            use super::{Dimension, Kind, Measured};
+            $(
+                #[doc = concat!("Marks ", $article_name, " in `", $unit, "`.")]
+                #[derive(Clone, Copy, Debug, PartialEq)]
+                pub struct $marker;
+
+                impl Measured for $marker {
+                    const KIND: &'static Kind = &Kind {
+                        name: $name,
+                        article_name: $article_name,
+                        unit: $unit,
+                        example: $example,
+                        dimension: Dimension::new($exponents),
+                    };
+                }
+            )*
+        }
+
+        const KINDS: &[&Kind] = &[$(<unit::$marker as Measured>::KIND),*];
+    };
+}
+
+// exponents of metre, kilogram, second, radian
+kinds! {
+    One: "number", "a number", "", "0.5", [0, 0, 0, 0];
+    Metre: "length", "a length", "m", "2.5 m", [1, 0, 0, 0];
+    SquareMetre: "area", "an area", "m^2", "16 m^2", [2, 0, 0, 0];
+    CubicMetre: "volume", "a volume", "m^3", "0.02 m^3", [3, 0, 0, 0];
+    Kilogram: "mass", "a mass", "kg", "0.5 kg", [0, 1, 0, 0];
+    KilogramPerMetre: "linear density", "a linear density", "kg/m", "145 g/m", [-1, 1, 0, 0];
+    KilogramPerCubicMetre: "density", "a density", "kg/m^3", "1850 kg/m^3", [-3, 1, 0, 0];
+    Second: "time", "a time", "s", "0.6 s", [0, 0, 1, 0];
+    PerSecond: "rate", "a rate", "1/s", "8.3 1/s", [0, 0, -1, 0];
+    MetrePerSecond: "speed", "a speed", "m/s", "50 m/s", [1, 0, -1, 0];
+    MetrePerSquareSecond: "acceleration", "an acceleration", "m/s^2", "9.80665 m/s^2", [1, 0, -2, 0];
+    Newton: "force", "a force", "N", "12 kN", [1, 1, -2, 0];
+    NewtonPerMetre: "stiffness", "a stiffness", "N/m", "5 kN/m", [0, 1, -2, 0];
+    Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0];
+    Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0];
+    Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0];
+    Radian: "angle", "an angle", "rad", "30 deg", [0, 0, 0, 1];
+    RadianPerSecond: "angular speed", "an angular speed", "rad/s", "3 rad/s", [0, 0, -1, 1];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_reads_its_own_unit_and_example() {
+        for kind in KINDS {
+            assert_eq!(kind.read_text(&format!("2.5 {}", kind.unit), &Interval::ALL), Ok(2.5), "{}", kind.name);
+            assert!(kind.read_text(kind.example, &Interval::ALL).is_ok(), "{}", kind.name);
+            assert_eq!(Kind::named(kind.name).map(|found| found.dimension), Some(kind.dimension));
+            assert_eq!(Kind::of(kind.dimension).map(|found| found.name), Some(kind.name));
+        }
+    }
+
+    #[test]
+    fn a_mass_is_no_length() {
+        let error = unit::Metre::KIND.read_text("2.5 kg", &Interval::ALL).unwrap_err();
+        assert_eq!(error.to_string(), r#"expected a length such as "2.5 m", found "2.5 kg", which is a mass"#);
+    }
+
+    #[test]
+    fn a_dimension_without_a_name_is_written_out() {
+        let error = unit::Metre::KIND.read_text("2.5 kg m", &Interval::ALL).unwrap_err();
+        assert!(error.to_string().ends_with("which is in m kg"), "{error}");
+    }
+}

@@ -1,0 +1,65 @@
+//! A scenario that was read and checked, with the files it names and the text it came from.
+
+use std::path::Path as FilePath;
+
+use crate::check;
+use crate::csv_files::{GraphFiles, StowRow, read_graph, read_stow};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::path::Path;
+use crate::rules;
+use crate::scenario::Scenario;
+use crate::written::Written;
+
+/// A scenario that was read and checked.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// As it was written.
+    pub written: Written,
+    /// As it is meant, with every default filled in.
+    pub scenario: Scenario,
+    /// The files of `[web.graph]`.
+    pub graph: Option<GraphFiles>,
+    /// The file of `[stow.file]`.
+    pub stowed: Option<Vec<StowRow>>,
+}
+
+impl Document {
+    /// Reads the scenario in `file` and the files it names. Each override is `path=value`, as after `--set`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, at once.
+    pub fn read(file: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let unreadable =
+            |reason: String| Diagnostic::new("", format!("cannot read {}: {reason}", file.display()), None);
+        let bytes = std::fs::read(file).map_err(|error| unreadable(error.to_string()))?;
+        let text = String::from_utf8(bytes).map_err(|_| unreadable("it is not UTF-8 text".into()))?;
+        let source = Source { name: file.display().to_string(), text };
+        Self::parse(source, file.parent().unwrap_or(FilePath::new("")), overrides)
+    }
+
+    /// Reads a scenario from its text; the files it names are looked for in `folder`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, at once.
+    pub fn parse(source: Source, folder: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let (written, mut found) = match Written::parse(source, folder, overrides) {
+            Ok(parsed) => parsed,
+            Err(faults) => return Err(Diagnostics::fail_if_any(faults).unwrap_err()),
+        };
+        found.extend(check::check(&written));
+        found.extend(rules::check(&written));
+        let graph = read_graph(&written, &mut found);
+        let stowed = read_stow(&written, &mut found);
+        Diagnostics::fail_if_any(found)?;
+        let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
+            .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
+        scenario.complete();
+        Ok(Self { written, scenario, graph, stowed })
+    }
+
+    /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or
+    /// at the nearest parent that was written.
+    pub fn diagnostic(&self, path: &str, message: impl Into<String>) -> Diagnostic {
+        self.written.at_value(&Path::parse(path), message)
+    }
+}

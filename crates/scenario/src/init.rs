@@ -1,0 +1,62 @@
+//! Commented scenarios to start from.
+
+/// A scenario to start from, with the files it names.
+#[derive(Clone, Copy, Debug)]
+pub struct Template {
+    /// What it is called after `netcast init`.
+    pub kind: &'static str,
+    /// What it shows, in a line.
+    pub summary: &'static str,
+    /// The scenario.
+    pub scenario: &'static str,
+    /// The files it names: name and text of each.
+    pub files: &'static [(&'static str, &'static str)],
+}
+
+/// Every scenario to start from, the default first.
+pub const TEMPLATES: &[Template] = &[
+    Template {
+        kind: "space",
+        summary: "the space web with canopies and payloads, thrown by six tractors",
+        scenario: include_str!("../templates/space.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "traditional",
+        summary: "a hexagon of square cells, thrown by six tractors",
+        scenario: include_str!("../templates/traditional.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "topological",
+        summary: "the space web's lattice with a hexagon of rope at every knot",
+        scenario: include_str!("../templates/topological.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "square",
+        summary: "a square net thrown by four corner masses",
+        scenario: include_str!("../templates/square.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "graph",
+        summary: "any net, from two CSV files",
+        scenario: include_str!("../templates/graph.toml"),
+        files: &[
+            ("nodes.csv", include_str!("../templates/nodes.csv")),
+            ("ropes.csv", include_str!("../templates/ropes.csv")),
+        ],
+    },
+    Template {
+        kind: "held",
+        summary: "a square net held at its corners, sagging under gravity",
+        scenario: include_str!("../templates/held.toml"),
+        files: &[],
+    },
+];
+
+/// The scenario to start from of this kind.
+pub fn template(kind: &str) -> Option<&'static Template> {
+    TEMPLATES.iter().find(|template| template.kind == kind)
+}

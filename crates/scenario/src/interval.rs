@@ -1,0 +1,127 @@
+//! Which values a quantity may take: intervals, and the marker types that carry them in a field's type.
+
+use std::f64::consts::FRAC_PI_2;
+use std::ops::{Bound, RangeBounds};
+
+use serde_json::{Map, Value};
+
+use crate::dimension::Dimension;
+
+/// The values a quantity may take, in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Where it starts.
+    pub lower: Bound<f64>,
+    /// Where it ends.
+    pub upper: Bound<f64>,
+}
+
+/// The JSON Schema keywords of the four kinds of bound.
+const INCLUSIVE_LOWER: &str = "minimum";
+const EXCLUSIVE_LOWER: &str = "exclusiveMinimum";
+const INCLUSIVE_UPPER: &str = "maximum";
+const EXCLUSIVE_UPPER: &str = "exclusiveMaximum";
+
+impl Interval {
+    /// Every number.
+    pub const ALL: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded };
+
+    /// Whether the interval holds `si`.
+    pub fn contains(&self, si: f64) -> bool {
+        (self.lower, self.upper).contains(&si)
+    }
+
+    /// Reads the bounds that a JSON Schema states.
+    pub fn from_schema(schema: &Map<String, Value>) -> Self {
+        let number = |keyword: &str| schema.get(keyword).and_then(Value::as_f64);
+        let bound = |inclusive, exclusive| match (number(inclusive), number(exclusive)) {
+            (_, Some(limit)) => Bound::Excluded(limit),
+            (Some(limit), None) => Bound::Included(limit),
+            (None, None) => Bound::Unbounded,
+        };
+        Self { lower: bound(INCLUSIVE_LOWER, EXCLUSIVE_LOWER), upper: bound(INCLUSIVE_UPPER, EXCLUSIVE_UPPER) }
+    }
+
+    /// States the bounds in a JSON Schema.
+    pub fn write_schema(&self, schema: &mut Map<String, Value>) {
+        let mut state = |bound, inclusive: &str, exclusive: &str| match bound {
+            Bound::Included(limit) => drop(schema.insert(inclusive.into(), Value::from(limit))),
+            Bound::Excluded(limit) => drop(schema.insert(exclusive.into(), Value::from(limit))),
+            Bound::Unbounded => {}
+        };
+        state(self.lower, INCLUSIVE_LOWER, EXCLUSIVE_LOWER);
+        state(self.upper, INCLUSIVE_UPPER, EXCLUSIVE_UPPER);
+    }
+
+    /// The bounds in words, such as `greater than 0`; angles in degrees.
+    pub fn describe(&self, dimension: Dimension) -> String {
+        let limit = |si: f64| if dimension.angle == 1 { format!("{} deg", si.to_degrees()) } else { si.to_string() };
+        let lower = match self.lower {
+            Bound::Included(si) => Some(format!("of at least {}", limit(si))),
+            Bound::Excluded(si) => Some(format!("greater than {}", limit(si))),
+            Bound::Unbounded => None,
+        };
+        let upper = match self.upper {
+            Bound::Included(si) => Some(format!("of at most {}", limit(si))),
+            Bound::Excluded(si) => Some(format!("less than {}", limit(si))),
+            Bound::Unbounded => None,
+        };
+        lower.into_iter().chain(upper).collect::<Vec<_>>().join(" and ")
+    }
+}
+
+/// A marker type that stands for an interval.
+pub trait Within {
+    /// The interval.
+    const INTERVAL: Interval;
+}
+
+macro_rules! intervals {
+    ($($(#[$doc:meta])* $marker:ident: $lower:expr, $upper:expr;)*) => {
+        $(
+            $(#[$doc])*
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct $marker;
+
+            impl Within for $marker {
+                const INTERVAL: Interval = Interval { lower: $lower, upper: $upper };
+            }
+        )*
+    };
+}
+
+intervals! {
+    /// Any finite number.
+    Any: Bound::Unbounded, Bound::Unbounded;
+    /// Zero or more.
+    NonNegative: Bound::Included(0.0), Bound::Unbounded;
+    /// More than zero.
+    Positive: Bound::Excluded(0.0), Bound::Unbounded;
+    /// More than zero, at most one.
+    UpToOne: Bound::Excluded(0.0), Bound::Included(1.0);
+    /// More than zero, less than one.
+    BelowOne: Bound::Excluded(0.0), Bound::Excluded(1.0);
+    /// From straight down to straight up: -90 deg to 90 deg.
+    QuarterTurns: Bound::Included(-FRAC_PI_2), Bound::Included(FRAC_PI_2);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_schema_keeps_the_bounds() {
+        for interval in [Any::INTERVAL, NonNegative::INTERVAL, UpToOne::INTERVAL, BelowOne::INTERVAL] {
+            let mut schema = Map::new();
+            interval.write_schema(&mut schema);
+            assert_eq!(Interval::from_schema(&schema), interval);
+        }
+    }
+
+    #[test]
+    fn nan_lies_in_no_bounded_interval() {
+        assert!(!Positive::INTERVAL.contains(f64::NAN));
+        assert!(!Positive::INTERVAL.contains(0.0));
+        assert!(NonNegative::INTERVAL.contains(0.0));
+    }
+}

@@ -1,0 +1,178 @@
+//! The web as drawn: its kind, its traction ropes, its stubs merged, cut into segments.
+
+use glam::DVec3;
+use netcast_webs::{
+    Class, CutError, CutWeb, Cutting, Graph, GraphNode, GraphRope, Merged, Site, Web, WebError, cut, graph, space,
+    square, topological, traditional,
+};
+
+use crate::csv_files::GraphFiles;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::document::Document;
+use crate::quantity::Length;
+use crate::scenario::Scenario;
+use crate::{canopy, web};
+
+/// Segments along a web's radius where the scenario does not say how long they are.
+const SEGMENTS_PER_RADIUS: f64 = 25.0;
+
+/// Draws and cuts the web; writes the segment length into `scenario` where it was left out.
+pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String>) -> Result<CutWeb, Diagnostics> {
+    let mut web = kind(document, scenario)?;
+    name_points(document, scenario, &mut web)?;
+    let per_mesh = match &scenario.web {
+        web::Web::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
+        _ => None,
+    };
+    let length = match (per_mesh, scenario.solve.segment_length) {
+        (Some(length), _) => length,
+        (None, Some(length)) => length.si(),
+        (None, None) => {
+            let length = two_digits(web.radius() / SEGMENTS_PER_RADIUS);
+            scenario.solve.segment_length = Some(Length::constant(length));
+            notes.push(format!("ropes are cut into segments of about {length} m, as solve.segment_length is left out"));
+            length
+        }
+    };
+    // a graph's knots are the user's own
+    if !matches!(scenario.web, web::Web::Graph(_)) {
+        notes.extend(merged(web.merge_stubs(0.5 * length)));
+    }
+    let web = add_traction(document, scenario, web)?;
+    cut(&web, &Cutting::SegmentLength(length)).map_err(|error| {
+        let path = match error {
+            CutError::TooMany { .. } | CutError::SegmentLength(_) => "solve.segment_length",
+            CutError::Counts { .. } | CutError::NoSegments(_) => "web",
+        };
+        document.diagnostic(path, error.to_string()).into()
+    })
+}
+
+fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
+    let one = |path: &str, drawn: Result<Web, WebError>| {
+        drawn.map_err(|error| {
+            let key = match &error {
+                WebError::MeshDoesNotDivide { .. } | WebError::MeshTooLarge { .. } => ".mesh",
+                WebError::Count { .. } => ".cells_per_side",
+                _ => ".side",
+            };
+            document.diagnostic(&format!("{path}{key}"), error.to_string()).into()
+        })
+    };
+    match &scenario.web {
+        web::Web::Traditional(w) => one("web.traditional", traditional(w.side.si(), w.cells_per_side.get() as usize)),
+        web::Web::Topological(w) => one("web.topological", topological(w.side.si(), w.hexagon_side.si())),
+        web::Web::Space(w) => {
+            let canopy::Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
+            one("web.space", space(w.side.si(), canopy.side.si()))
+        }
+        web::Web::Square(w) => one("web.square", square(w.side.si(), w.mesh.si())),
+        web::Web::Graph(w) => {
+            let files = document.graph.as_ref().expect("a document of a graph has read its files");
+            graph(&listed(w, files, scenario)).map_err(|errors| {
+                let all = errors.into_iter().map(|error| graph_diagnostic(document, files, error)).collect();
+                Diagnostics::fail_if_any(all).expect_err("a web that is refused has errors")
+            })
+        }
+    }
+}
+
+/// The files' rows as the web's own lists.
+fn listed(web: &web::Graph, files: &GraphFiles, scenario: &Scenario) -> Graph {
+    let id = |node: usize| files.nodes[node].id.clone();
+    Graph {
+        nodes: files
+            .nodes
+            .iter()
+            .map(|n| GraphNode { id: n.id.clone(), position: DVec3::from_array(n.position_m) })
+            .collect(),
+        ropes: files
+            .ropes
+            .iter()
+            .map(|r| GraphRope {
+                a: id(r.a),
+                b: id(r.b),
+                class: r.class.as_deref().map(Class::from_name),
+                label: None,
+                rest_length: r.rest_length_m,
+                segments: r.segments.map(|n| n.get() as usize),
+            })
+            .collect(),
+        outline: web.outline.clone().unwrap_or_default(),
+        corners: web.corners.clone().unwrap_or_default(),
+        points: scenario.points.clone(),
+    }
+}
+
+/// Puts an error of a graph where the user can mend it: the list, or the file with the line.
+fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) -> Diagnostic {
+    let rope_line = |rope: &usize| files.ropes.get(*rope).map(|row| row.line);
+    let (path, line) = match &error {
+        WebError::UnknownReference { list, .. } | WebError::Repeated { list, .. } => {
+            let path = if *list == "points" { "points".into() } else { format!("web.graph.{list}") };
+            return document.diagnostic(&path, error.to_string());
+        }
+        WebError::OutlineTooShort { .. } => ("web.graph.outline", None),
+        WebError::SelfLoop { rope, .. }
+        | WebError::ZeroLength { rope, .. }
+        | WebError::RestLength { rope, .. }
+        | WebError::NoSegments { rope, .. }
+        | WebError::UnknownNode { row: rope, .. } => ("web.graph.ropes", rope_line(rope)),
+        WebError::DuplicateId { second, .. } => ("web.graph.nodes", files.nodes.get(*second).map(|row| row.line)),
+        _ => ("web.graph.ropes", None),
+    };
+    let at = line.map_or(String::new(), |line| format!("line {line}: "));
+    document.diagnostic(path, format!("{at}{error}"))
+}
+
+/// `[points]` of a web that is not a graph: names of its knots.
+fn name_points(document: &Document, scenario: &Scenario, web: &mut Web) -> Result<(), Diagnostics> {
+    if matches!(scenario.web, web::Web::Graph(_)) {
+        return Ok(());
+    }
+    let mut found = Vec::new();
+    for (name, id) in &scenario.points {
+        match web.knot_named(id) {
+            Some(knot) => {
+                web.points.insert(name.clone(), Site::Knot(knot));
+            }
+            None => found.push(document.diagnostic(&format!("points.{name}"), format!("unknown node {id:?}"))),
+        }
+    }
+    Diagnostics::fail_if_any(found)
+}
+
+fn add_traction(document: &Document, scenario: &Scenario, web: Web) -> Result<Web, Diagnostics> {
+    let some_tractor = scenario.tractor.is_some() || !scenario.tractors.is_empty();
+    if !some_tractor && scenario.traction_rope.is_none() {
+        return Ok(web);
+    }
+    let (length, count) = scenario.traction_rope.as_ref().map_or((0.0, 1), |t| (t.length.si(), t.count.get() as usize));
+    web.with_traction(length, count).map_err(|error| {
+        let path = match error {
+            WebError::NoCorners | WebError::CornerInTheMiddle { .. } if some_tractor => "tractor",
+            _ => "traction_rope",
+        };
+        document.diagnostic(path, error.to_string()).into()
+    })
+}
+
+/// What merging did, in a line or two however many stubs there were.
+fn merged(stubs: Vec<Merged>) -> Option<String> {
+    let shortest = stubs.iter().map(|s| s.length).reduce(f64::min)?;
+    let longest = stubs.iter().map(|s| s.length).fold(0.0, f64::max);
+    let sample = &stubs[0];
+    Some(format!(
+        "{} stubs of {shortest:.3} to {longest:.3} m, shorter than half a segment, are merged into the outline \
+         (such as {}: {} into {})",
+        stubs.len(),
+        sample.rope,
+        sample.knot,
+        sample.into
+    ))
+}
+
+/// A length rounded to two significant digits.
+fn two_digits(length: f64) -> f64 {
+    format!("{length:.1e}").parse().unwrap_or(length)
+}

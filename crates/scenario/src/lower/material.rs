@@ -1,0 +1,216 @@
+//! Ropes, canopies and bodies as stiffness, damping and mass: the segments of the system and the masses of its nodes.
+
+use std::f64::consts::PI;
+
+use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
+use netcast_dynamics::system::Segment;
+use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
+
+use super::canopy_links;
+use crate::canopy::Canopy;
+use crate::csv_files::RopeRow;
+use crate::diagnostic::Diagnostics;
+use crate::document::Document;
+use crate::rope::{Damping, Rope};
+use crate::scenario::Scenario;
+
+/// A segment of the system and what it is a part of.
+#[derive(Debug, Clone, Copy)]
+pub struct Member {
+    /// As the system has it.
+    pub segment: Segment,
+    part: Part,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Part {
+    Rope(CutSegment),
+    Spoke { canopy: usize, number: usize },
+    Side { canopy: usize, number: usize },
+}
+
+impl Member {
+    /// What a message calls it.
+    pub fn label(&self, cut: &CutWeb) -> String {
+        let of = |what: &str, number: usize, canopy: usize| {
+            format!("{what} {} of canopy {}", number + 1, cut.web.canopies[canopy].number)
+        };
+        match self.part {
+            Part::Rope(segment) => cut.segment_label(&segment),
+            Part::Spoke { canopy, number } => of("spoke", number, canopy),
+            Part::Side { canopy, number } => of("side", number, canopy),
+        }
+    }
+
+    /// Whether it is a piece of rope.
+    pub fn is_rope(&self) -> bool {
+        matches!(self.part, Part::Rope(_))
+    }
+}
+
+/// What the web is made of.
+pub struct Materials {
+    pub members: Vec<Member>,
+    pub mass: Vec<f64>,
+    pub classes: Vec<Class>,
+    pub strengths: Vec<Option<f64>>,
+    pub bill: Bill,
+}
+
+/// Makes segments and masses of a cut web.
+pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Materials, Diagnostics> {
+    let web = &cut.web;
+    let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
+    let kinds: Vec<(&str, &Rope)> =
+        web.ropes.iter().enumerate().map(|(i, rope)| kind_of(scenario, &rope.class, rows.get(i))).collect();
+
+    let mut classes: Vec<Class> = web.ropes.iter().map(|r| r.class.clone()).collect();
+    if !web.canopies.is_empty() {
+        classes.push(Class::Canopy);
+    }
+    classes.sort();
+    classes.dedup();
+    unassigned_classes(document, scenario, &classes)?;
+    let class_number = |class: &Class| classes.iter().position(|c| c == class).expect("every class is listed");
+
+    let mut mass = vec![0.0; cut.nodes.len()];
+    let mut members = Vec::with_capacity(cut.segment_count());
+    for segment in cut.segments() {
+        let rope = &web.ropes[segment.rope];
+        let pretension = pretension(rope.rest_length.is_some(), kinds[segment.rope].1, rows.get(segment.rope));
+        let piece = Piece::new(kinds[segment.rope].1, segment.rest_length, pretension);
+        let ends = [segment.a, segment.b];
+        let class = class_number(&rope.class);
+        for end in ends {
+            mass[end] += 0.5 * piece.mass;
+        }
+        members.push(Member { segment: piece.between(ends, class), part: Part::Rope(segment) });
+    }
+
+    let mut canopy = Solid::default();
+    if !web.canopies.is_empty() {
+        let Canopy::Links(links) = scenario.canopy.clone().unwrap_or_default();
+        let made = canopy_links::members(&links);
+        canopy = Solid { mass: made.mass, volume: made.volume };
+        add_canopies(cut, &made, class_number(&Class::Canopy), &mut members, &mut mass);
+    }
+    let payload = scenario.payload_solid();
+    for canopy in &web.canopies {
+        let on_hub =
+            if canopy.carries_payload { payload } else { scenario.sensor_solid().filter(|_| canopy.is_centre) };
+        mass[canopy.hub] += on_hub.map_or(0.0, |solid| solid.mass_kg());
+    }
+    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+        mass[node] += row.mass_kg;
+    }
+    let mut tractor_masses = Vec::new();
+    for (corner, &node) in web.tractors.iter().enumerate() {
+        if let Some(solid) = scenario.tractor_solid(corner as u32 + 1) {
+            mass[node] += solid.mass_kg();
+            tractor_masses.push(solid.mass_kg());
+        }
+    }
+
+    let strengths = classes.iter().map(|class| weakest(web.ropes.iter().zip(&kinds), class)).collect();
+    let payload = payload.map_or(Solid::default(), |p| Solid { mass: p.mass_kg(), volume: p.volume_m3() });
+    let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy, payload, tractor_masses };
+    for (name, rope) in &kinds {
+        let kind = RopeKind {
+            name: (*name).to_owned(),
+            diameter: rope.diameter.si(),
+            mass_per_metre: rope.density.si() * section(rope),
+        };
+        let known = parts.ropes.iter().position(|k| *k == kind).unwrap_or_else(|| {
+            parts.ropes.push(kind);
+            parts.ropes.len() - 1
+        });
+        parts.kind_of_rope.push(known);
+    }
+    Ok(Materials { members, mass, classes, strengths, bill: bill(web, &parts) })
+}
+
+/// Area of a rope's cross-section, m^2.
+fn section(rope: &Rope) -> f64 {
+    0.25 * PI * rope.diameter.si() * rope.diameter.si()
+}
+
+/// A rope's name and properties: its row's own in a graph's file, else its class's, else the default.
+fn kind_of<'s>(scenario: &'s Scenario, class: &Class, row: Option<&'s RopeRow>) -> (&'s str, &'s Rope) {
+    let name = row.and_then(|r| r.rope.as_deref()).or_else(|| scenario.assign.get(class.name()).map(|n| &n[..]));
+    name.and_then(|name| Some((name, scenario.ropes.get(name)?))).unwrap_or(("rope", &scenario.rope))
+}
+
+/// Classes named in `[assign]` that the web does not have.
+fn unassigned_classes(document: &Document, scenario: &Scenario, classes: &[Class]) -> Result<(), Diagnostics> {
+    let known: Vec<&str> = classes.iter().filter(|c| **c != Class::Canopy).map(Class::name).collect();
+    let wrong = scenario.assign.keys().filter(|class| !known.contains(&&class[..]));
+    let found = wrong.map(|class| {
+        let message = format!("this web has no link class {class:?}");
+        document.diagnostic(&format!("assign.{class}"), message).with_help(format!("it has: {}", known.join(", ")))
+    });
+    Diagnostics::fail_if_any(found.collect())
+}
+
+/// Tension as drawn, N. A rope whose rest length is given has the tension that follows from it.
+fn pretension(has_rest_length: bool, rope: &Rope, row: Option<&RopeRow>) -> f64 {
+    let own = row.and_then(|r| r.pretension_n);
+    if has_rest_length { own.unwrap_or(0.0) } else { own.unwrap_or(rope.pretension.si()) }
+}
+
+/// A segment of rope before it has a place.
+struct Piece {
+    rest_length: f64,
+    stiffness: f64,
+    damping: f64,
+    mass: f64,
+}
+
+impl Piece {
+    /// A segment `drawn` metres long under `pretension`, N: its rest length is shorter by the strain T/EA.
+    fn new(rope: &Rope, drawn: f64, pretension: f64) -> Piece {
+        let area = section(rope);
+        let axial_stiffness = rope.elastic_modulus.si() * area;
+        let rest_length = drawn / (1.0 + pretension / axial_stiffness);
+        let mass = rope.density.si() * area * rest_length;
+        let stiffness = axial_stiffness / rest_length;
+        let damping = match rope.damping() {
+            Damping::Time(time) => damping_from_time(axial_stiffness, time, rest_length),
+            Damping::Ratio(ratio) => damping_from_ratio(ratio, stiffness, mass),
+        };
+        Piece { rest_length, stiffness, damping, mass }
+    }
+
+    fn between(&self, ends: [usize; 2], class: usize) -> Segment {
+        Segment { ends, rest_length: self.rest_length, stiffness: self.stiffness, damping: self.damping, class }
+    }
+}
+
+/// Spokes in three straight lines through the hub, then the sides round the rim: runs as long as they can be.
+fn add_canopies(cut: &CutWeb, made: &canopy_links::Members, class: usize, members: &mut Vec<Member>, mass: &mut [f64]) {
+    let mut add = |ends: [usize; 2], stiffness: f64, member_mass: f64, part: Part| {
+        for end in ends {
+            mass[end] += 0.5 * member_mass;
+        }
+        let damping = damping_from_ratio(made.damping_ratio, stiffness, member_mass);
+        members.push(Member { segment: Segment { ends, rest_length: made.length, stiffness, damping, class }, part });
+    };
+    for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
+        for number in [0, 3, 1, 4, 2, 5] {
+            let ends = if number < 3 { [hexagon.rim[number], hexagon.hub] } else { [hexagon.hub, hexagon.rim[number]] };
+            add(ends, made.spoke_stiffness, made.spoke_mass, Part::Spoke { canopy, number });
+        }
+        for number in 0..6 {
+            let ends = [hexagon.rim[number], hexagon.rim[(number + 1) % 6]];
+            add(ends, made.side_stiffness, made.side_mass, Part::Side { canopy, number });
+        }
+    }
+}
+
+/// Strength of the weakest rope of a class, N.
+fn weakest<'k>(
+    ropes: impl Iterator<Item = (&'k netcast_webs::Rope, &'k (&'k str, &'k Rope))>,
+    class: &Class,
+) -> Option<f64> {
+    let of_class = ropes.filter(|(rope, _)| rope.class == *class);
+    of_class.filter_map(|(_, (_, rope))| rope.strength.map(|s| s.si())).reduce(f64::min)
+}

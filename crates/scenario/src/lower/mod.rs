@@ -1,0 +1,213 @@
+//! From what the user wrote to what is simulated: a [`Document`] becomes a [`Model`].
+//!
+//! ```text
+//! drawing   the web's geometry, cut into segments
+//! material  ropes, canopies and bodies as stiffness, damping and mass
+//! stowing   where the nodes lie
+//! launch    how fast they start
+//! ```
+//!
+//! Everything that does not fit is reported at the place in the file that says so.
+
+mod canopy_links;
+mod drawing;
+mod launch;
+mod material;
+mod stowing;
+
+pub use stowing::node_id;
+
+use glam::{DMat3, DVec3};
+use netcast_dynamics::state::State;
+use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
+use netcast_dynamics::time::step_size::{StepLimit, step_limit};
+use netcast_webs::{Audit, Bill, Class, CutWeb};
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::document::Document;
+use crate::scenario::Scenario;
+use material::Member;
+
+/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand; measured in
+/// docs/theory/slack-taut.md.
+pub const STEP_FRACTION: f64 = 0.25;
+
+/// A scenario ready to be simulated, with the names of its parts.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// The scenario with everything written out that was chosen on the way.
+    pub scenario: Scenario,
+    /// What is simulated.
+    pub system: System,
+    /// Where it starts, world frame.
+    pub state: State,
+    /// The web as drawn and cut; node k of the system is node k of the web.
+    pub cut: CutWeb,
+    /// Turns the launch frame (z along the launch axis) to the world.
+    pub frame: DMat3,
+    /// Link classes by the system's class number.
+    pub classes: Vec<Class>,
+    /// Strength of the weakest rope of each class, N, where one is given.
+    pub strengths: Vec<Option<f64>>,
+    /// The tractors in order around the web; their nodes.
+    pub tractors: Vec<usize>,
+    /// The bill of materials.
+    pub bill: Bill,
+    /// The state at the start, looked over.
+    pub audit: Audit,
+    /// What bounds the step.
+    pub limit: StepLimit,
+    /// What was chosen or changed for the user, to be said.
+    pub notes: Vec<String>,
+    members: Vec<Member>,
+}
+
+impl Model {
+    /// Makes the model of a scenario.
+    ///
+    /// # Errors
+    /// Everything that does not fit, as far as it can be told at once, each with its place.
+    pub fn new(document: &Document) -> Result<Model, Diagnostics> {
+        let mut scenario = document.scenario.clone();
+        let mut notes = Vec::new();
+        let cut = drawing::draw(document, &mut scenario, &mut notes)?;
+        let materials = material::materials(document, &cut, &scenario)?;
+        let frame = launch::frame(&scenario);
+        let stowed = stowing::stow(document, &cut, &mut scenario)?;
+        let audit = stowing::audit(document, &cut, &materials.members, &stowed)?;
+        let velocity = launch::velocities(document, &cut, &scenario)?;
+        let held = held(document, &cut, &scenario)?;
+
+        let tractors = cut.web.tractor_ring();
+        let mut tractor = vec![false; cut.nodes.len()];
+        for &node in &tractors {
+            tractor[node] = true;
+        }
+        let gravity = scenario.environment.gravity.si();
+        let system = SystemParts {
+            mass: materials.mass,
+            held,
+            tractor,
+            segments: materials.members.iter().map(|m| m.segment).collect(),
+            class_count: materials.classes.len(),
+            environment: Environment {
+                // 0 - g, for the sign of a zero
+                gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
+                mass_damping: scenario.environment.damping.si(),
+            },
+        }
+        .build()
+        .map_err(|error| Diagnostics::from(Diagnostic::new("", error.to_string(), None)))?;
+        let limit = step_limit(&system);
+        scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(STEP_FRACTION));
+        let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
+        if let Some(note) = ill_begun(&system, &state) {
+            notes.push(note);
+        }
+        Ok(Model {
+            scenario,
+            system,
+            state,
+            frame,
+            classes: materials.classes,
+            strengths: materials.strengths,
+            tractors,
+            bill: materials.bill,
+            audit,
+            limit,
+            notes,
+            members: materials.members,
+            cut,
+        })
+    }
+
+    /// The launch axis, a unit vector in the world frame.
+    pub fn axis(&self) -> DVec3 {
+        self.frame * DVec3::Z
+    }
+
+    /// The largest step that is wanted, s: the scenario's share of the stable one.
+    pub fn largest_dt(&self) -> f64 {
+        self.scenario.solve.step_fraction.map_or(STEP_FRACTION, |f| f.si()) * self.limit.dt
+    }
+
+    /// What a message calls a segment, such as "segment 12 of traction rope 3".
+    pub fn segment_label(&self, segment: usize) -> String {
+        self.members[segment].label(&self.cut)
+    }
+
+    /// What a message calls a node, such as "knot 12".
+    pub fn node_label(&self, node: usize) -> String {
+        self.cut.node_label(node)
+    }
+
+    /// Whether a segment is a piece of rope; members of canopies are not.
+    pub fn is_rope(&self, segment: usize) -> bool {
+        self.members[segment].is_rope()
+    }
+
+    /// The system's class number of a segment.
+    pub fn class_of(&self, segment: usize) -> usize {
+        self.system.segments()[segment].class
+    }
+
+    /// The segments of rope that meet at some node of `nodes`.
+    pub fn ropes_at(&self, nodes: &[usize]) -> Vec<usize> {
+        let meets = |s: &Segment| s.ends.iter().any(|end| nodes.contains(end));
+        let segments = self.system.segments().iter().enumerate();
+        segments.filter(|(i, s)| self.is_rope(*i) && meets(s)).map(|(i, _)| i).collect()
+    }
+
+    /// Feature points by name with their nodes.
+    pub fn points(&self) -> Vec<(String, usize)> {
+        self.cut.web.points.iter().map(|(name, &site)| (name.clone(), self.cut.node_of(site))).collect()
+    }
+}
+
+/// The nodes that stay put: `[hold]` and what a graph's file says.
+fn held(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Vec<bool>, Diagnostics> {
+    let mut held = vec![false; cut.nodes.len()];
+    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+        held[node] = row.fixed;
+    }
+    let Some(hold) = &scenario.hold else { return Ok(held) };
+    let mut found = Vec::new();
+    if hold.corners {
+        if cut.web.corners.is_empty() {
+            found.push(document.diagnostic("hold.corners", "the web names no corners"));
+        }
+        for &corner in &cut.web.corners {
+            held[corner] = true;
+        }
+    }
+    for (index, id) in hold.nodes.iter().enumerate() {
+        match cut.web.knot_named(id) {
+            Some(knot) => held[knot] = true,
+            None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
+        }
+    }
+    Diagnostics::fail_if_any(found)?;
+    Ok(held)
+}
+
+/// That there is no knot `id`, with the nearest that there is.
+fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diagnostic {
+    let known: Vec<&str> = cut.web.knots.iter().map(|k| &k.name[..]).collect();
+    let diagnostic = document.diagnostic(path, format!("unknown node {id:?}"));
+    match crate::nearest::nearest(id, &known) {
+        Some(near) => diagnostic.with_help(format!("did you mean {near:?}?")),
+        None => diagnostic.with_help("`netcast stow --write FILE.csv` lists the names of all nodes"),
+    }
+}
+
+/// A net at rest that nothing moves.
+fn ill_begun(system: &System, state: &State) -> Option<String> {
+    let still = state.velocity.iter().all(|v| *v == DVec3::ZERO);
+    let weightless = system.environment().gravity == DVec3::ZERO;
+    let slack = system.segments().iter().all(|s| {
+        let [a, b] = s.ends;
+        (state.position[b] - state.position[a]).length() <= s.rest_length
+    });
+    (still && weightless && slack)
+        .then(|| "nothing moves: there is no launch, no gravity and no tension at the start".to_owned())
+}

@@ -1,0 +1,24 @@
+//! `[record]`: what is kept of a run.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::interval::Positive;
+use crate::quantity::Time;
+
+/// `[record]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Record {
+    /// Time between two rows of the history, s.
+    pub every: Time<Positive>,
+    /// Time between two frames of the fields, s. Left out: as `every`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fields_every: Option<Time<Positive>>,
+}
+
+impl Default for Record {
+    fn default() -> Self {
+        Self { every: Time::constant(0.001), fields_every: None }
+    }
+}

@@ -1,0 +1,90 @@
+//! What the schema cannot say: how the parts of a scenario must fit each other.
+
+use crate::diagnostic::Diagnostic;
+use crate::nearest::nearest;
+use crate::path::Path;
+use crate::tree::{Table, Value};
+use crate::written::Written;
+
+/// Everything in `written` that does not fit the rest of it.
+pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    assigned_ropes_exist(written, &mut found);
+    segments_are_cut_in_one_way(written, &mut found);
+    canopies_belong_to_the_space_web(written, &mut found);
+    tractors_are_told_apart(written, &mut found);
+    found
+}
+
+fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table> {
+    written.tree.get(&Path::parse(path)).and_then(|node| node.value.as_table())
+}
+
+/// That `name` is one of `[ropes]`; says so at `path` where it is not.
+pub(crate) fn unknown_rope(written: &Written, name: &str) -> Option<(String, String)> {
+    let ropes: Vec<&str> = table_at(written, "ropes").into_iter().flat_map(Table::keys).collect();
+    if ropes.contains(&name) {
+        return None;
+    }
+    let help = match (nearest(name, &ropes), ropes.is_empty()) {
+        (Some(near), _) => format!("did you mean {near:?}?"),
+        (None, true) => format!("define it in [ropes.{name}]"),
+        (None, false) => format!("known ropes: {}", ropes.join(", ")),
+    };
+    Some((format!("unknown rope {name:?}"), help))
+}
+
+fn assigned_ropes_exist(written: &Written, found: &mut Vec<Diagnostic>) {
+    for entry in table_at(written, "assign").into_iter().flat_map(|assign| &assign.0) {
+        if let Some((message, help)) = entry.node.value.as_text().and_then(|name| unknown_rope(written, name)) {
+            found.push(written.at_value(&Path::default().key("assign").key(&entry.key), message).with_help(help));
+        }
+    }
+}
+
+fn segments_are_cut_in_one_way(written: &Written, found: &mut Vec<Diagnostic>) {
+    let by_mesh = Path::parse("web.square.segments_per_mesh");
+    let by_length = Path::parse("solve.segment_length");
+    if written.tree.get(&by_mesh).is_some() && written.tree.get(&by_length).is_some() {
+        let message = format!("expected only one of `{by_mesh}` and `{by_length}`");
+        found.push(written.at_key(&by_length, message));
+    }
+}
+
+fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnostic>) {
+    let Some(web) = table_at(written, "web") else { return };
+    // a misspelt kind is reported as such
+    let ropes_only = ["traditional", "topological", "square", "graph"].iter().any(|kind| web.get(kind).is_some());
+    if web.get("space").is_some() || !ropes_only {
+        return;
+    }
+    for key in ["canopy", "payload", "sensor"] {
+        let path = Path::default().key(key);
+        if written.tree.get(&path).is_some() {
+            let message = format!("only a space web has a {key}");
+            found.push(written.at_key(&path, message).with_help(format!("leave [{key}] out, or choose [web.space]")));
+        }
+    }
+}
+
+fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
+    let path = Path::default().key("tractors");
+    let Some(tractors) = written.tree.get(&path).and_then(|node| node.value.as_array()) else { return };
+    let mut seen = Vec::new();
+    for (index, tractor) in tractors.iter().enumerate() {
+        let Some(tractor) = tractor.value.as_table() else { continue };
+        let here = path.index(index);
+        if let Some(Value::Integer(corner)) = tractor.get("corner").map(|node| &node.value) {
+            if seen.contains(corner) {
+                let message = format!("corner {corner} has an entry in [[tractors]] already");
+                found.push(written.at_value(&here.key("corner"), message));
+            }
+            seen.push(*corner);
+        }
+        let has_body = tractor.get("cylinder").is_some() || tractor.get("particle").is_some();
+        if !has_body && table_at(written, "tractor").is_none() {
+            let help = "add [tractor.cylinder] or [tractor.particle] for all, or [tractors.cylinder] for this one";
+            found.push(written.at_value(&here, "there is no tractor at this corner").with_help(help));
+        }
+    }
+}

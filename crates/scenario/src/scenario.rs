@@ -1,0 +1,151 @@
+//! The scenario as a whole.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::body::{Body, CylinderDefaults, Solid};
+use crate::canopy::Canopy;
+use crate::environment::Environment;
+use crate::hold::Hold;
+use crate::launch::Launch;
+use crate::record::Record;
+use crate::rope::Rope;
+use crate::solve::Solve;
+use crate::stow::Stow;
+use crate::tractor::{TractionRope, TractorOverride};
+use crate::web::Web;
+
+/// What is thrown, how, into what, and what is recorded. Values with a dimension are strings with a unit ("2.5 m");
+/// bare numbers are SI.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// Title of the results.
+    #[serde(default)]
+    pub title: String,
+    /// The web.
+    pub web: Web,
+    /// The default rope.
+    pub rope: Rope,
+    /// Other ropes, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub ropes: BTreeMap<String, Rope>,
+    /// Which of `ropes` a link class has, such as `traction = "NAME"`. Left out: the default rope.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub assign: BTreeMap<String, String>,
+    /// The canopies of a space web. Left out: `[canopy.links]` with its defaults.
+    pub canopy: Option<Canopy>,
+    /// The payload on each canopy of a space web that lies inside the outline, the centre's apart. Left out: none.
+    pub payload: Option<Body>,
+    /// The sensor on the centre canopy of a space web. Left out: none.
+    pub sensor: Option<Body>,
+    /// The ropes between web and tractors. Left out: tractors are tied straight to the corners.
+    pub traction_rope: Option<TractionRope>,
+    /// The tractors, one a corner. Left out: none.
+    pub tractor: Option<Body>,
+    /// What is different about one tractor.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tractors: Vec<TractorOverride>,
+    /// How the web is packed. Left out: it starts as drawn.
+    pub stow: Option<Stow>,
+    /// How the tractors are thrown. Left out: nothing is launched.
+    pub launch: Option<Launch>,
+    /// Nodes that stay put.
+    pub hold: Option<Hold>,
+    /// Feature points by name, as node ids: `B = "n91"`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub points: BTreeMap<String, String>,
+    /// What surrounds the web.
+    #[serde(default)]
+    pub environment: Environment,
+    /// How long, how fine, how exact.
+    pub solve: Solve,
+    /// What is kept.
+    #[serde(default)]
+    pub record: Record,
+}
+
+impl Scenario {
+    /// The rope of a link class.
+    pub fn rope_of(&self, class: &str) -> &Rope {
+        self.assign.get(class).and_then(|name| self.ropes.get(name)).unwrap_or(&self.rope)
+    }
+
+    /// The payload on each inner canopy.
+    pub fn payload_solid(&self) -> Option<Solid> {
+        self.payload.as_ref().map(|body| body.solid(&CylinderDefaults::PAYLOAD))
+    }
+
+    /// The sensor on the centre canopy.
+    pub fn sensor_solid(&self) -> Option<Solid> {
+        self.sensor.as_ref().map(|body| body.solid(&CylinderDefaults::PAYLOAD))
+    }
+
+    /// The tractor at a corner, from 1: as `[tractor]` has it, changed by its entry in `[[tractors]]`.
+    pub fn tractor_solid(&self, corner: u32) -> Option<Solid> {
+        let own = self.tractor_override(corner).and_then(|tractor| {
+            let cylinder = tractor.cylinder.as_ref().map(|cylinder| match &self.tractor {
+                Some(Body::Cylinder(base)) => Body::Cylinder(cylinder.over(base)),
+                _ => Body::Cylinder(cylinder.clone()),
+            });
+            cylinder.or_else(|| tractor.particle.clone().map(Body::Particle))
+        });
+        own.as_ref().or(self.tractor.as_ref()).map(|body| body.solid(&CylinderDefaults::TRACTOR))
+    }
+
+    /// How the tractor at a corner, from 1, is launched; none where nothing says so.
+    pub fn tractor_launch(&self, corner: u32) -> Option<Launch> {
+        match self.tractor_override(corner) {
+            Some(tractor)
+                if self.launch.is_some() || tractor.axial_speed.is_some() || tractor.radial_speed.is_some() =>
+            {
+                Some(self.launch.clone().unwrap_or_default().with(tractor))
+            }
+            _ => self.launch.clone(),
+        }
+    }
+
+    fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
+        self.tractors.iter().find(|tractor| tractor.corner.get() == corner)
+    }
+
+    /// The files that the scenario names, relative to it.
+    pub fn files_mut(&mut self) -> Vec<&mut PathBuf> {
+        let mut files = Vec::new();
+        if let Web::Graph(graph) = &mut self.web {
+            files.extend([&mut graph.nodes, &mut graph.ropes]);
+        }
+        if let Some(Stow::File(file)) = &mut self.stow {
+            files.push(&mut file.path);
+        }
+        files
+    }
+
+    /// Writes out every default that depends on what else is given.
+    pub(crate) fn complete(&mut self) {
+        if matches!(self.web, Web::Space(_)) {
+            self.canopy.get_or_insert_default();
+        }
+        self.rope.complete();
+        self.ropes.values_mut().for_each(Rope::complete);
+        if matches!(self.web, Web::Space(_)) {
+            self.canopy.get_or_insert_default();
+        }
+        for body in [&mut self.payload, &mut self.sensor].into_iter().flatten() {
+            body.complete(&CylinderDefaults::PAYLOAD);
+        }
+        if let Some(body) = &mut self.tractor {
+            body.complete(&CylinderDefaults::TRACTOR);
+        }
+    }
+}
+
+/// The scenario as TOML with every default written out. Read again, it is the same scenario bit for bit.
+pub fn resolved_toml(scenario: &Scenario) -> String {
+    let mut complete = scenario.clone();
+    complete.complete();
+    toml::to_string(&complete).expect("scenario: keys are strings and values are those of TOML")
+}

@@ -1,0 +1,142 @@
+//! The JSON Schema of a scenario, derived from its types: what editors complete from, and what the check of a scenario
+//! walks.
+
+use std::sync::LazyLock;
+
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+use schemars::transform::transform_subschemas;
+use serde_json::{Map, Value};
+
+use crate::path::Path;
+use crate::scenario::Scenario;
+
+/// The JSON Schema of a scenario. Beside the standard keywords, `x-dimension` and `x-unit` tell a quantity's kind and
+/// SI unit; `minimum` and its like are in that unit.
+pub fn schema() -> &'static Value {
+    static SCHEMA: LazyLock<Value> = LazyLock::new(generate);
+    &SCHEMA
+}
+
+fn generate() -> Value {
+    let settings = SchemaSettings::draft2020_12()
+        .with(|settings| settings.inline_subschemas = true)
+        .with_transform(fit_toml)
+        .for_deserialize();
+    let mut schema: Value = settings.into_generator().into_root_schema_for::<Scenario>().into();
+    if let Some(root) = schema.as_object_mut() {
+        root.insert("title".into(), "netcast scenario".into());
+    }
+    schema
+}
+
+/// TOML has no null: an optional key is left out. And a whole number says how large it may be.
+fn fit_toml(schema: &mut Schema) {
+    transform_subschemas(&mut fit_toml, schema);
+    let Some(object) = schema.as_object_mut() else { return };
+    if object.get("format").is_some_and(|format| format == "uint32") {
+        object.insert("maximum".into(), u32::MAX.into());
+    }
+    if let Some(Value::Array(types)) = object.get_mut("type") {
+        types.retain(|kind| kind != "null");
+        if let [only] = types.as_slice() {
+            let only = only.clone();
+            object.insert("type".into(), only);
+        }
+    }
+    if let Some(Value::Array(choices)) = object.get_mut("anyOf") {
+        choices.retain(|choice| choice.get("type") != Some(&Value::from("null")));
+        if let [Value::Object(only)] = choices.as_slice() {
+            let only = only.clone();
+            object.remove("anyOf");
+            for (keyword, value) in only {
+                object.entry(keyword).or_insert(value);
+            }
+        }
+    }
+}
+
+/// The variants of an externally tagged enum: name and schema of each. None where `schema` is something else.
+pub(crate) fn variants(schema: &Map<String, Value>) -> Option<Vec<(&str, &Map<String, Value>)>> {
+    let branches = schema.get("oneOf")?.as_array()?;
+    let properties = branches.iter().map(|branch| branch.get("properties")?.as_object()?.iter().next());
+    properties.map(|first| first.and_then(|(name, content)| Some((name.as_str(), content.as_object()?)))).collect()
+}
+
+/// The strings that a key may take. None where `schema` is something else.
+pub(crate) fn choices(schema: &Map<String, Value>) -> Option<Vec<&str>> {
+    if let Some(listed) = schema.get("enum") {
+        return listed.as_array()?.iter().map(Value::as_str).collect();
+    }
+    schema.get("oneOf")?.as_array()?.iter().map(|branch| branch.get("const")?.as_str()).collect()
+}
+
+/// Where in a scenario a key has the name `key`, as paths.
+pub(crate) fn find_key(schema: &Value, key: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    if let Some(root) = schema.as_object() {
+        find_below(root, key, &Path::default(), &mut found);
+    }
+    found
+}
+
+fn find_below(schema: &Map<String, Value>, key: &str, path: &Path, found: &mut Vec<String>) {
+    let properties = schema.get("properties").and_then(Value::as_object);
+    let known =
+        properties.into_iter().flatten().filter_map(|(name, content)| Some((name.as_str(), content.as_object()?)));
+    for (name, content) in known.chain(variants(schema).into_iter().flatten()) {
+        let here = path.key(name);
+        if name == key {
+            found.push(here.to_string());
+        }
+        find_below(content, key, &here, found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_a_schema_with_descriptions_dimensions_and_defaults() {
+        let schema = schema();
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+        assert_eq!(schema["title"], "netcast scenario");
+        assert_eq!(schema["required"], serde_json::json!(["web", "rope", "solve"]));
+        assert_eq!(schema["additionalProperties"], false);
+        let every = &schema["properties"]["record"]["properties"]["every"];
+        assert_eq!(every["default"], "0.001 s");
+        assert_eq!(every["x-dimension"], "time");
+        assert_eq!(every["exclusiveMinimum"], 0.0);
+        assert!(every["description"].as_str().unwrap().contains("rows of the history"));
+        // optional keys are left out in TOML, never null
+        assert!(!schema.to_string().contains("null\""), "{schema:#}");
+        assert!(!schema.to_string().contains("$ref"), "{schema:#}");
+    }
+
+    #[test]
+    fn every_key_has_a_description() {
+        fn walk(path: &Path, schema: &Map<String, Value>, missing: &mut Vec<String>) {
+            let properties = schema.get("properties").and_then(Value::as_object);
+            for (name, content) in properties.into_iter().flatten() {
+                let (here, content) = (path.key(name), content.as_object().unwrap());
+                if !content.contains_key("description") {
+                    missing.push(here.to_string());
+                }
+                walk(&here, content, missing);
+            }
+            for (name, content) in variants(schema).into_iter().flatten() {
+                walk(&path.key(name), content, missing);
+            }
+        }
+        let mut missing = Vec::new();
+        walk(&Path::default(), schema().as_object().unwrap(), &mut missing);
+        assert_eq!(missing, Vec::<String>::new());
+    }
+
+    #[test]
+    fn a_key_is_found_wherever_it_stands() {
+        assert_eq!(find_key(schema(), "segment_length"), ["solve.segment_length"]);
+        assert!(find_key(schema(), "side").contains(&"web.space.side".to_string()));
+    }
+}

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""Reads a result folder's fields.vtkhdf back with h5py and with VTK's own reader, and holds both to history.csv.
+
+    python3 -m venv venv && venv/bin/pip install h5py numpy vtk
+    venv/bin/python tests/python/read_vtkhdf.py RESULT_DIR
+
+Exits with 1 and says where the first mismatch is; with 0 where the three agree:
+
+* as many steps as history has rows, at the same times;
+* in each step the highest rope tension equals tension_max_n, and a labelled point lies at P_x_m, P_y_m, P_z_m;
+* VTK shows, at every step, the points, velocities, tensions and classes that h5py reads.
+"""
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkIOHDF import vtkHDFReader
+
+
+class Mismatch(Exception):
+    """Two of the three disagree."""
+
+
+def require_equal(what, expected, found):
+    """The same numbers to the last bit, in the same shape."""
+    expected, found = np.asarray(expected), np.asarray(found)
+    if expected.shape != found.shape:
+        raise Mismatch(f"{what}: shape {found.shape}, expected {expected.shape}")
+    if not np.array_equal(expected, found, equal_nan=True):
+        place = np.argwhere(expected != found)[0]
+        raise Mismatch(f"{what}, first at {tuple(place)}: {found[tuple(place)]}, expected {expected[tuple(place)]}")
+
+
+def read_history(path):
+    """history.csv as arrays by column; an empty cell is NaN."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows:
+        raise Mismatch(f"{path} has no rows")
+    return {name: np.array([float(row[name]) if row[name] else np.nan for row in rows]) for name in rows[0]}
+
+
+def read_with_h5py(path):
+    """The arrays by step: (steps, nodes, 3), (steps, segments) and so on."""
+    with h5py.File(path) as file:
+        vtk = file["VTKHDF"]
+        kind = vtk.attrs["Type"]
+        require_equal("VTKHDF version", [2, 2], vtk.attrs["Version"])
+        if kind != b"PolyData":  # VTK reads a string of fixed length only, which h5py gives as bytes
+            raise Mismatch(f"VTKHDF type: {kind!r}, expected b'PolyData'")
+        steps, nodes = vtk["Steps"].attrs["NSteps"], vtk["NumberOfPoints"][0]
+        names = file["netcast"]
+        labels = {}
+        if "label_names" in names:
+            labels = {name.decode(): int(node) for name, node in zip(names["label_names"], names["label_nodes"])}
+        return {
+            "times": vtk["Steps/Values"][:],
+            "segments": vtk["Lines/Connectivity"][:].reshape(-1, 2),
+            "positions": vtk["Points"][:].reshape(steps, nodes, 3),
+            "velocity": vtk["PointData/velocity"][:].reshape(steps, nodes, 3),
+            "tension": vtk["CellData/tension"][:].reshape(steps, -1),
+            "class": vtk["CellData/class"][:],
+            "labels": labels,
+        }
+
+
+def read_with_vtk(path):
+    """Yields (time, arrays) of each step, as ParaView would show it."""
+    reader = vtkHDFReader()
+    reader.SetFileName(str(path))
+    reader.UpdateInformation()
+    information = reader.GetOutputInformation(0)
+    times = information.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
+    if len(times) != reader.GetNumberOfSteps():
+        raise Mismatch(f"VTK offers {len(times)} times for {reader.GetNumberOfSteps()} steps")
+    for step, time in enumerate(times):
+        reader.SetStep(step)
+        reader.UpdateTimeStep(time)
+        data = reader.GetOutput()
+        yield time, {
+            "segments": vtk_to_numpy(data.GetLines().GetConnectivityArray()).reshape(-1, 2),
+            "positions": vtk_to_numpy(data.GetPoints().GetData()),
+            "velocity": vtk_to_numpy(data.GetPointData().GetArray("velocity")),
+            "tension": vtk_to_numpy(data.GetCellData().GetArray("tension")),
+            "class": vtk_to_numpy(data.GetCellData().GetArray("class")),
+        }
+
+
+def check(folder):
+    """Raises Mismatch where the files of a result folder disagree; returns a line that says what was compared."""
+    history = read_history(folder / "history.csv")
+    fields = read_with_h5py(folder / "fields.vtkhdf")
+
+    require_equal("h5py: times against history.csv", history["time_s"], fields["times"])
+    if fields["tension"].shape[1]:
+        require_equal("h5py: highest tension against tension_max_n", history["tension_max_n"], fields["tension"].max(axis=1))
+    points = [name for name in fields["labels"] if f"{name}_x_m" in history]
+    for name in points:
+        expected = np.stack([history[f"{name}_{axis}_m"] for axis in "xyz"], axis=1)
+        require_equal(f"h5py: position of {name} against history.csv", expected, fields["positions"][:, fields["labels"][name]])
+
+    steps = 0
+    for step, (time, seen) in enumerate(read_with_vtk(folder / "fields.vtkhdf")):
+        require_equal(f"VTK: time of step {step}", fields["times"][step], time)
+        for name in ("positions", "velocity", "tension"):
+            require_equal(f"VTK: {name} at step {step}", fields[name][step], seen[name])
+        for name in ("segments", "class"):
+            require_equal(f"VTK: {name} at step {step}", fields[name], seen[name])
+        steps += 1
+    require_equal("VTK: number of steps", len(history["time_s"]), steps)
+    nodes, segments = fields["positions"].shape[1], fields["tension"].shape[1]
+    return f"{steps} steps, {nodes} nodes, {segments} segments, points {', '.join(points) or 'none'}: h5py, VTK and history.csv agree"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("result_dir", type=Path)
+    arguments = parser.parse_args()
+    try:
+        print(check(arguments.result_dir))
+    except (Mismatch, OSError, KeyError) as error:
+        sys.exit(f"{arguments.result_dir}: {error}")
+
+
+if __name__ == "__main__":
+    main()
