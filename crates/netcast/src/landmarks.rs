@@ -7,16 +7,18 @@ use netcast_webs::Class;
 /// The landmarks of a model.
 pub fn landmarks(model: &Model) -> Landmarks {
     let web = &model.cut.web;
-    let followed = |name: &str, nodes: Vec<usize>| Landmark {
+    let followed = |name: &str, nodes: Vec<usize>, is_group: bool| Landmark {
         name: name.to_owned(),
+        is_group,
         segments: model.ropes_at(&nodes),
         nodes,
     };
     let mut points: Vec<Landmark> =
-        model.points().into_iter().map(|(name, node)| followed(&name, vec![node])).collect();
-    for (name, nodes) in [("tractor", &model.tractors), ("corner", &web.corners), ("centre", &web.centre)] {
+        model.points().into_iter().map(|(name, node)| followed(&name, vec![node], false)).collect();
+    let means = [("tractor", &model.tractors, true), ("corner", &web.corners, true), ("centre", &web.centre, false)];
+    for (name, nodes, is_group) in means {
         if !nodes.is_empty() && points.iter().all(|p| p.name != name) {
-            points.push(followed(name, nodes.clone()));
+            points.push(followed(name, nodes.clone(), is_group));
         }
     }
     let bottom = points.iter().find(|p| p.name == "B").map_or(Vec::new(), |b| b.segments.clone());

@@ -4,15 +4,30 @@
 
 use glam::DVec3;
 
-/// A place that is followed: a node, or the mean of several.
+use crate::measures::mean;
+
+/// What is followed under one name: a point, or a group of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Landmark {
     /// Its name in the results, such as "B" or "tractor".
     pub name: String,
     /// The nodes whose mean it is; not empty.
     pub nodes: Vec<usize>,
+    /// Whether its nodes are points of their own, as tractors are. The speed of a group is the mean of its speeds; that of a point is the speed of its mean.
+    pub is_group: bool,
     /// The segments of rope that meet there.
     pub segments: Vec<usize>,
+}
+
+impl Landmark {
+    /// Its speed, m/s.
+    pub fn speed(&self, velocity: impl Fn(usize) -> DVec3) -> f64 {
+        if self.is_group {
+            self.nodes.iter().map(|&n| velocity(n).length()).sum::<f64>() / self.nodes.len() as f64
+        } else {
+            mean(&self.nodes, velocity).length()
+        }
+    }
 }
 
 /// A link class.

@@ -157,8 +157,7 @@ impl Measures {
             self.bottom(live.tension_time, live.dt, &|segment| live.net.tension(segment));
         }
         for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
-            let velocity = mean(&landmark.nodes, |n| live.net.half_step_velocity(n));
-            point.speed.add(live.velocity_time, velocity.length());
+            point.speed.add(live.velocity_time, landmark.speed(|n| live.net.half_step_velocity(n)));
         }
         self.shape(live.position_time, &|node| live.net.position(node));
     }
@@ -166,7 +165,7 @@ impl Measures {
     /// Takes the state at launch or at the end into account, of which [`Measures::step`] sees only a part.
     pub fn ends(&mut self, time: f64, velocity: &[DVec3], tension: &[f64], class_of: &dyn Fn(usize) -> usize) {
         for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
-            point.speed.add(time, mean(&landmark.nodes, |n| velocity[n]).length());
+            point.speed.add(time, landmark.speed(|n| velocity[n]));
         }
         for (segment, &tension) in tension.iter().enumerate() {
             self.classes[class_of(segment)].add(time, tension);

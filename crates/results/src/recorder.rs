@@ -120,7 +120,7 @@ impl<'r> Recorder<'r> {
             if !["tractor", "corner", "centre"].contains(&&point.name[..]) {
                 row.push(Some(self.measures.travel(index, place)));
             }
-            row.push(Some(mean(&point.nodes, |n| frame.velocity[n]).length()));
+            row.push(Some(point.speed(|n| frame.velocity[n])));
             row.push(point.segments.iter().map(|&s| frame.tension[s]).reduce(f64::max));
         }
         row.extend(per_class.into_iter().flat_map(|(mean, max)| [Some(mean), Some(max)]));

@@ -201,22 +201,21 @@ impl Web {
 
     /// Area of the polygon of the tractors of the flat web, m^2; none with fewer than three.
     pub fn tractor_area(&self) -> Option<f64> {
-        let ring: Vec<DVec3> =
-            self.tractor_ring().iter().map(|&tractor| self.knots[self.tractors[tractor]].position).collect();
+        let ring: Vec<DVec3> = self.tractor_ring().iter().map(|&knot| self.knots[knot].position).collect();
         (ring.len() >= 3).then(|| vector_area(&ring).length())
     }
 
-    /// The tractors (as indices into [`Web::tractors`]) in the order in which they stand round the middle,
+    /// The tractors' knots in the order in which they stand round the middle,
     /// anticlockwise from the first: their polygon is then simple even where a user named the corners in another
     /// order.
     pub fn tractor_ring(&self) -> Vec<usize> {
-        let angle = |tractor: usize| {
-            let arm = self.knots[self.tractors[tractor]].position - self.middle;
+        let angle = |knot: usize| {
+            let arm = self.knots[knot].position - self.middle;
             libm::atan2(arm.y, arm.x)
         };
-        let mut ring: Vec<usize> = (0..self.tractors.len()).collect();
+        let mut ring = self.tractors.clone();
         ring.sort_by(|&one, &other| angle(one).total_cmp(&angle(other)));
-        if let Some(first) = ring.iter().position(|&tractor| tractor == 0) {
+        if let Some(first) = ring.iter().position(|knot| self.tractors.first() == Some(knot)) {
             ring.rotate_left(first);
         }
         ring
