@@ -6,7 +6,7 @@
 
 Exits with 1 and says where the first mismatch is; with 0 where the three agree:
 
-* as many steps as history has rows, at the same times;
+* a step for each row of history, or for every n-th where the scenario's record.fields_every says so, at the same times;
 * in each step the highest rope tension equals tension_max_n, and a labelled point lies at P_x_m, P_y_m, P_z_m;
 * VTK shows, at every step, the points, velocities, tensions and classes that h5py reads.
 """
@@ -92,18 +92,32 @@ def read_with_vtk(path):
         }
 
 
+def rows_a_step(row_times, step_times):
+    """How many rows of history stand for one step of the fields, by where the second step is found among them."""
+    if len(step_times) < 2:
+        return max(1, len(row_times))
+    places = np.flatnonzero(row_times == step_times[1])
+    if len(places) != 1 or places[0] == 0:
+        raise Mismatch(f"no single row of history.csv is at the time of the second step, {step_times[1]} s")
+    return int(places[0])
+
+
 def check(folder):
     """Raises Mismatch where the files of a result folder disagree; returns a line that says what was compared."""
     history = read_history(folder / "history.csv")
     fields = read_with_h5py(folder / "fields.vtkhdf")
 
+    stride = rows_a_step(history["time_s"], fields["times"])
+    history = {name: values[::stride] for name, values in history.items()}
     require_equal("h5py: times against history.csv", history["time_s"], fields["times"])
     if fields["tension"].shape[1]:
-        require_equal("h5py: highest tension against tension_max_n", history["tension_max_n"], fields["tension"].max(axis=1))
+        highest = fields["tension"].max(axis=1)
+        require_equal("h5py: highest tension against tension_max_n", history["tension_max_n"], highest)
     points = [name for name in fields["labels"] if f"{name}_x_m" in history]
     for name in points:
         expected = np.stack([history[f"{name}_{axis}_m"] for axis in "xyz"], axis=1)
-        require_equal(f"h5py: position of {name} against history.csv", expected, fields["positions"][:, fields["labels"][name]])
+        found = fields["positions"][:, fields["labels"][name]]
+        require_equal(f"h5py: position of {name} against history.csv", expected, found)
 
     steps = 0
     for step, (time, seen) in enumerate(read_with_vtk(folder / "fields.vtkhdf")):
@@ -115,7 +129,8 @@ def check(folder):
         steps += 1
     require_equal("VTK: number of steps", len(history["time_s"]), steps)
     nodes, segments = fields["positions"].shape[1], fields["tension"].shape[1]
-    return f"{steps} steps, {nodes} nodes, {segments} segments, points {', '.join(points) or 'none'}: h5py, VTK and history.csv agree"
+    size = f"{steps} steps, {nodes} nodes, {segments} segments, points {', '.join(points) or 'none'}"
+    return f"{size}: h5py, VTK and history.csv agree"
 
 
 def main():

@@ -43,6 +43,9 @@ impl Complaint {
             Complaint::Argument(message) => eprintln!("error: {message}"),
             Complaint::Failed(failure, folder) => {
                 eprintln!("error: the run failed: {failure}");
+                if matches!(failure, Failure::Unbalanced { .. }) {
+                    eprintln!("       or accept it with --set solve.on_energy_error=flag");
+                }
                 eprintln!("       what was computed is in {}", folder.display());
             }
             Complaint::Fault(message) => eprintln!("error: {message}"),
@@ -62,6 +65,7 @@ impl From<ResultError> for Complaint {
             // the place for the results was not well chosen
             ResultError::TargetIsFile { .. }
             | ResultError::TargetNotOurs { .. }
+            | ResultError::TargetUnwritable { .. }
             | ResultError::TargetHoldsCurrent { .. } => Complaint::Argument(error.to_string()),
             _ => Complaint::Fault(error.to_string()),
         }

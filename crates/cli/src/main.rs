@@ -16,7 +16,7 @@ use complaint::Complaint;
 
 /// Simulates flexible nets that are thrown.
 #[derive(Parser)]
-#[command(name = "netcast", version, about, after_help = FIRST_STEPS, max_term_width = 110)]
+#[command(name = "netcast", version, after_help = FIRST_STEPS, max_term_width = 110)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -24,11 +24,15 @@ struct Cli {
 
 const FIRST_STEPS: &str = "\
 First steps:
-  netcast init                       write scenario.toml, commented, to start from
-  netcast check scenario.toml        read it, check it, say what it is made of and what a run will cost
-  netcast run scenario.toml          run it; results go to results/scenario/, report.html among them
+  netcast init                  write scenario.toml, commented, to start from
+  netcast check scenario.toml   check it; say what it is made of and what a run costs
+  netcast run scenario.toml     run it; results go to results/scenario/, report.html among them
 
-Exit status: 0 done; 1 a fault of netcast; 2 the input is wrong (nothing was written); 3 the run failed (what was computed is kept).";
+Exit status:
+  0  done
+  1  a fault of netcast
+  2  the input is wrong; nothing was written
+  3  the run failed; what was computed is kept";
 
 #[derive(Subcommand)]
 enum Command {

@@ -6,8 +6,8 @@
 //! ```no_run
 //! use netcast::{Document, RunOptions, run};
 //!
-//! let document = Document::read("examples/space_web/scenario.toml".as_ref(), &[])?;
-//! let ran = run(&document, "results/space_web".as_ref(), &RunOptions::default(), &mut |_| {}, &|| false)?;
+//! let document = Document::read("examples/04_square_net/square_net.toml".as_ref(), &[])?;
+//! let ran = run(&document, "results/square_net".as_ref(), &RunOptions::default(), &mut |_| {}, &|| false)?;
 //! println!("opens to {:?} m^2", ran.summary.opening.area_max_m2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -56,8 +56,8 @@ pub enum Failure {
     Stopped(String),
     /// It ran to its end, but its energy balance misses the tolerance.
     #[error(
-        "the energy balance misses its tolerance: {what} is {found:.3} %, asked for {asked:.3} %; \
-         a smaller step mends it (--set solve.step_fraction={smaller}), or accept it with --set solve.on_energy_error=flag"
+        "the energy balance misses its tolerance: {what} is {found:.3} %, at most {asked:.3} % is allowed; \
+         a smaller step mends it, try --set solve.step_fraction={smaller}"
     )]
     Unbalanced {
         /// Which measure.
@@ -121,7 +121,12 @@ pub fn run(
     let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()))?;
 
     let stopped = outcome.stopped.as_ref().map(|error| Failure::Stopped(in_words(&model, error)));
-    let unbalanced = unbalanced(&recording.energy, solve.step_fraction.map_or(1.0, |f| f.si()));
+    // a run that came apart says so, and what mends it
+    let came_apart = matches!(outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
+    let unbalanced = match came_apart {
+        true => None,
+        false => unbalanced(&recording.energy, solve.step_fraction.map_or(1.0, |f| f.si())),
+    };
     let mut warnings = model.notes.clone();
     warnings.extend(stopped.iter().chain(&unbalanced).map(Failure::to_string));
     let failure = stopped.or(unbalanced.filter(|_| solve.on_energy_error == OnEnergyError::Stop));
@@ -175,15 +180,18 @@ fn unbalanced(energy: &summary::Energy, fraction: f64) -> Option<Failure> {
 
 /// A step error with the names of the model's parts.
 fn in_words(model: &Model, error: &StepError) -> String {
+    let smaller = 0.25 * model.largest_dt() / model.limit.dt;
+    let mend = format!("the step is too large for this motion, try --set solve.step_fraction={smaller:.2}");
     match error {
         StepError::NotFinite { step, time, term, place } => {
             let place = match *place {
                 Place::Node(node) => model.node_label(node),
                 Place::Segment(segment) => model.segment_label(segment),
             };
-            format!("step {step} at {time} s: the {term} of {place} is not a finite number")
+            format!("step {step} at {time} s: the {term} of {place} is not a finite number; {mend}")
         }
-        other => other.to_string(),
+        StepError::Diverged { .. } => format!("{error}; {mend}"),
+        StepError::Interrupted { .. } => error.to_string(),
     }
 }
 

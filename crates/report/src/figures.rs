@@ -37,10 +37,9 @@ struct Curve {
 #[derive(Clone, Copy)]
 enum Style {
     Line,
-    /// A companion of a line in the same colour, such as the mean beside the maximum.
-    Dotted,
-    /// A reference, not a result.
     Dashed,
+    /// A companion of the line before it, in the same colour and without a name of its own in the legend.
+    Companion,
 }
 
 /// The figures that a result has anything for, in the order of the page.
@@ -55,15 +54,16 @@ pub(crate) fn figures(results: &Results) -> Vec<Figure> {
 fn areas(results: &Results) -> Option<Figure> {
     let time = times(results)?;
     let named = [
-        ("area_m2", "outline area, along the launch axis"),
-        ("vector_area_m2", "vector area"),
-        ("shadow_area_m2", "shadow area"),
-        ("tractor_area_m2", "tractors' polygon"),
+        ("area_m2", "outline area", Style::Line),
+        // lies on the outline area wherever the web faces along the axis
+        ("vector_area_m2", "vector area", Style::Dashed),
+        ("shadow_area_m2", "shadow area", Style::Line),
+        ("tractor_area_m2", "tractors' polygon", Style::Line),
     ];
     let mut curves = Vec::new();
-    for (colour, (column, name)) in named.into_iter().enumerate() {
+    for (colour, (column, name, style)) in named.into_iter().enumerate() {
         if let Some(values) = results.history.column(column) {
-            curves.push(Curve::new(name, time, values, colour));
+            curves.push(Curve { style, ..Curve::new(name, time, values, colour) });
         }
     }
     let opening = &results.summary["opening"];
@@ -79,7 +79,7 @@ fn areas(results: &Results) -> Option<Figure> {
     Some(Figure {
         id: "areas",
         title: "Area",
-        note: "Shaded: the longest spell with at least 80 % of the flat web's area.",
+        note: "Seen along the launch axis; the vector area, as it faces. Shaded: the longest spell 80 % open.",
         quantity: "area",
         unit: "m²".into(),
         curves,
@@ -117,10 +117,10 @@ fn class_tensions(results: &Results) -> Option<Figure> {
     let maxima = results.history.filled().filter_map(|(column, values)| Some((column.strip_suffix("_max_n")?, values)));
     // the highest of all is no class of its own
     for (colour, (class, values)) in maxima.filter(|(class, _)| *class != "tension").enumerate() {
-        curves.push(Curve::new(&format!("{class}, highest"), time, values, colour));
+        curves.push(Curve::new(class, time, values, colour));
         if let Some(mean) = results.history.column(&format!("{class}_mean_n")) {
             let mean = Curve::new(&format!("{class}, mean"), time, mean, colour);
-            curves.push(Curve { style: Style::Dotted, ..mean });
+            curves.push(Curve { style: Style::Companion, ..mean });
         }
     }
     Some(scaled(
@@ -138,7 +138,7 @@ fn class_tensions(results: &Results) -> Option<Figure> {
 }
 
 fn point_tensions(results: &Results) -> Option<Figure> {
-    let name = |point: &str| if point == "B" { "B (bottom ropes)".into() } else { point.to_owned() };
+    let name = |point: &str| if point == "B" { "B (bottom ropes)".into() } else { part_name(point) };
     Some(scaled(
         Figure {
             id: "point-tensions",
@@ -237,8 +237,8 @@ impl Curve {
     fn json(&self) -> Value {
         let style = match self.style {
             Style::Line => "solid",
-            Style::Dotted => "dot",
             Style::Dashed => "dash",
+            Style::Companion => "companion",
         };
         json!({
             "name": self.name,

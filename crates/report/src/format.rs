@@ -1,6 +1,6 @@
 //! Numbers as a reader likes them: three significant digits, units that fit.
 
-/// Three significant digits without an exponent: `15.8`, `0.0123`, `51000`.
+/// Three significant digits: `15.8`, `0.0123`, `51000`, and `1.20e-9` where zeros would drown them.
 pub(crate) fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { value.to_string() };
@@ -8,6 +8,9 @@ pub(crate) fn significant(value: f64) -> String {
     // rounded before its size is known: 9.996 becomes 10.0, not 10.00
     let rounded = format!("{value:.2e}");
     let exponent: i32 = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    if exponent < -4 {
+        return rounded;
+    }
     let rounded: f64 = rounded.parse().unwrap_or(value);
     let decimals = (2 - exponent).max(0) as usize;
     format!("{rounded:.decimals$}")
@@ -29,19 +32,19 @@ pub(crate) fn duration(seconds: f64) -> String {
     }
 }
 
-/// A ratio as percent: `97 %`, `0.050 %`.
+/// A ratio as percent, to two significant digits below ten: `97 %`, `0.05 %`.
 pub(crate) fn percent(ratio: f64) -> String {
     let percent = 100.0 * ratio;
-    if percent.abs() >= 10.0 { format!("{percent:.0} %") } else { format!("{} %", two_digits(percent)) }
-}
-
-fn two_digits(value: f64) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    let rounded = format!("{value:.1e}");
+    let rounded = format!("{percent:.1e}");
     let exponent: i32 = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
-    format!("{:.*}", (1 - exponent).max(0) as usize, rounded.parse().unwrap_or(value))
+    if exponent >= 1 {
+        return format!("{percent:.0} %");
+    }
+    if exponent < -4 {
+        return format!("{rounded} %");
+    }
+    // parsing drops the zeros at the end
+    format!("{} %", rounded.parse().unwrap_or(percent))
 }
 
 /// A unit with the prefix that keeps the largest of a set of numbers readable.
@@ -101,6 +104,7 @@ mod tests {
             (51234.0, "51200"),
             (0.0, "0"),
             (99.97, "100"),
+            (1.2e-9, "1.20e-9"),
         ];
         for (value, text) in cases {
             assert_eq!(significant(value), text);
@@ -116,7 +120,10 @@ mod tests {
         assert_eq!(duration(125.0), "2 min 5 s");
         assert_eq!(time(0.1314), "0.131 s");
         assert_eq!(percent(0.9731), "97 %");
-        assert_eq!(percent(0.0005), "0.050 %");
+        assert_eq!(percent(0.0005), "0.05 %");
+        assert_eq!(percent(0.0314), "3.1 %");
+        assert_eq!(percent(0.0999), "10 %");
+        assert_eq!(percent(-3e-9), "-3.0e-7 %");
         assert_eq!(percent(0.0), "0 %");
     }
 }

@@ -18,7 +18,9 @@
   }
 
   function trace(curve, unit, colours) {
-    const line = { solid: { dash: "solid", width: 1.8 }, dot: { dash: "2px,2px", width: 1.3 }, dash: { dash: "6px,4px", width: 1.3 } };
+    const line = {
+      solid: { dash: "solid", width: 1.8 }, dash: { dash: "6px,4px", width: 1.4 }, companion: { dash: "2px,2px", width: 1.3 },
+    };
     const reference = curve.colour === null;
     // past the palette's end colours come again, with another dash
     const again = !reference && curve.colour >= CURVES && curve.style === "solid";
@@ -28,8 +30,9 @@
         ...line[curve.style], ...(again ? { dash: "8px,2px,2px,2px" } : {}),
         color: reference ? colours.soft : colours.curves[curve.colour % CURVES],
       },
-      hovertemplate: `%{y:.4~g} ${unit}`, hoverinfo: reference ? "skip" : undefined,
-      ...(reference ? { hovertemplate: undefined } : {}),
+      ...(reference ? { hoverinfo: "skip" } : { hovertemplate: `%{y:.4~g} ${unit}` }),
+      // a companion comes and goes with the line it belongs to
+      ...(reference ? {} : { legendgroup: String(curve.colour) }), showlegend: curve.style !== "companion",
     };
   }
 
@@ -45,13 +48,13 @@
     return {
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { family: getComputedStyle(document.body).fontFamily, size: 12.5, color: colours.ink },
-      margin: { l: 56, r: 12, t: 8, b: 40 },
+      margin: { l: 56, r: 12, t: 28, b: 40 },
       xaxis: { ...axis, title: { text: "time, s", standoff: 8 }, hoverformat: ".4~f", unifiedhovertitle: { text: "%{x} s" },
         showspikes: true, spikemode: "across", spikethickness: 1, spikedash: "solid", spikecolor: colours.soft },
       yaxis: { ...axis, title: { text: figure.yTitle, standoff: 8 }, rangemode: "tozero" },
       hovermode: "x unified",
       hoverlabel: { bgcolor: colours.card, bordercolor: colours.rule, font: { color: colours.ink, size: 12 } },
-      legend: { orientation: "h", x: 0, xanchor: "left", y: -0.2, yanchor: "top", itemwidth: 30, font: { size: 12 } },
+      legend: { orientation: "h", tracegroupgap: 0, x: 0, xanchor: "left", y: -0.2, yanchor: "top", itemwidth: 30, font: { size: 12 } },
       showlegend: figure.curves.length > 1,
       modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.soft, activecolor: colours.accent },
       shapes, uirevision: "kept",

@@ -7,7 +7,7 @@ use plotly::Plot;
 use serde_json::Value;
 
 use crate::figures::{Figure, figures};
-use crate::format::{duration, escape, percent, significant, with_prefix};
+use crate::format::{duration, escape, percent, significant, time, with_prefix};
 use crate::results::Results;
 use crate::tables::tables;
 use crate::words::words;
@@ -83,8 +83,8 @@ fn tiles(summary: &Value) -> String {
         ("largest area", area.map(|area| format!("{} m²", significant(area))), share.map(|s| format!("{s} of flat"))),
         (
             "80 % open for",
-            opening["effective_duration_s"].as_f64().map(duration),
-            opening["effective_from_s"].as_f64().map(|from| format!("from {}", duration(from))),
+            opening["effective_duration_s"].as_f64().map(time),
+            opening["effective_from_s"].as_f64().map(|from| format!("from {}", time(from))),
         ),
         (
             "highest tension",

@@ -22,17 +22,17 @@ fn opening(summary: &Value) -> String {
         "Opening",
         &[
             ("Largest outline area", area("area_max_m2")),
-            ("at", time_of(opening, "area_max_time_s")),
-            ("of the flat web", share.map(|(area, reference)| percent(area / reference))),
-            ("Flat web", area("reference_area_m2")),
+            ("Time of largest outline area", time_of(opening, "area_max_time_s")),
+            ("Share of the flat web", share.map(|(area, reference)| percent(area / reference))),
+            ("Area of the flat web", area("reference_area_m2")),
             ("Largest vector area", area("vector_area_max_m2")),
             ("At least 80 % open from", time_of(opening, "effective_from_s")),
-            ("to", time_of(opening, "effective_to_s")),
-            ("in all", time_of(opening, "effective_duration_s")),
+            ("At least 80 % open until", time_of(opening, "effective_to_s")),
+            ("At least 80 % open in all", time_of(opening, "effective_duration_s")),
             ("Largest tractors' polygon", area("tractor_area_max_m2")),
-            ("at", time_of(opening, "tractor_area_max_time_s")),
+            ("Time of largest tractors' polygon", time_of(opening, "tractor_area_max_time_s")),
             ("The middle trails from", time_of(posture, "concave_from_s")),
-            ("until", time_of(posture, "concave_to_s")),
+            ("The middle trails until", time_of(posture, "concave_to_s")),
             ("The middle leads from", time_of(posture, "convex_from_s")),
         ],
     )
@@ -127,7 +127,7 @@ fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place) % 3 == 0 {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
             text.push('\u{202f}');
         }
         text.push(digit);
@@ -188,7 +188,7 @@ mod tests {
             "opening": {"area_max_m2": null, "reference_area_m2": 16.0},
             "points": {"B": {"peak_speed_m_s": 112.0, "starts_s": null}, "tractor": null},
         }));
-        assert!(html.contains("Flat web") && !html.contains("Largest outline area"));
+        assert!(html.contains("Area of the flat web") && !html.contains("Largest outline area"));
         assert!(html.contains("<th scope=\"row\">B</th><td>112</td>") && html.contains(NOTHING));
         assert!(!html.contains("<th scope=\"row\">tractor</th>"));
         assert_eq!(tables(&json!({})), "");

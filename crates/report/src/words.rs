@@ -114,34 +114,33 @@ fn is_part_of_the_web(name: &str) -> bool {
 
 fn posture(summary: &Value) -> Option<String> {
     let posture = &summary["posture"];
-    let trails = match (posture["concave_from_s"].as_f64(), posture["concave_to_s"].as_f64()) {
-        (Some(from), Some(to)) => Some(format!("trails the outline from {} until {}", time(from), time(to))),
-        (Some(from), None) => Some(format!("trails the outline from {} on", time(from))),
-        _ => None,
+    let trails = posture["concave_from_s"].as_f64().map(|from| {
+        let until = posture["concave_to_s"].as_f64().map(|to| format!(" until {}", time(to)));
+        (from, "trails", format!("from {}{}", time(from), until.unwrap_or_default()))
+    });
+    let leads = posture["convex_from_s"].as_f64().map(|from| (from, "leads", format!("from {}", time(from))));
+    let (first, then) = match (trails, leads) {
+        (Some(trails), Some(leads)) if leads.0 < trails.0 => (leads, Some(trails)),
+        (Some(trails), leads) => (trails, leads),
+        (None, leads) => (leads?, None),
     };
-    let leads = posture["convex_from_s"].as_f64().map(|from| format!("leads it from {}", time(from)));
-    match (trails, leads) {
-        (Some(trails), Some(leads)) => Some(format!("The middle {trails} and {leads}.")),
-        (Some(trails), None) => Some(format!("The middle {trails} and never leads it.")),
-        (None, Some(_)) => {
-            Some(format!("The middle leads the outline from {}.", time(posture["convex_from_s"].as_f64()?)))
-        }
-        (None, None) => None,
-    }
+    let then = then.map(|(_, verb, when)| format!(" and {verb} it {when}"));
+    Some(format!("The middle {} the outline {}{}.", first.1, first.2, then.unwrap_or_default()))
 }
 
 fn energy(summary: &Value) -> Option<String> {
     let energy = &summary["energy"];
     let closure = energy["closure"].as_f64()?;
     let web = energy["closure_web"].as_f64();
+    let misses = |closure: Option<f64>, tolerance: &Value| closure.zip(tolerance.as_f64()).is_some_and(|(c, t)| c > t);
+    let missed = misses(Some(closure), &energy["tolerance"]) || misses(web, &energy["tolerance_web"]);
     let web = web.map(|web| format!(" ({} of what the web itself holds)", percent(web))).unwrap_or_default();
-    Some(match energy["tolerance"].as_f64() {
-        Some(tolerance) if closure > tolerance => format!(
-            "The energy balance is off by {}{web}, more than the {} allowed: do not trust these numbers.",
-            percent(closure),
-            percent(tolerance)
+    Some(match missed {
+        true => format!(
+            "The energy balance is off by {}{web}, more than is allowed: do not trust these numbers.",
+            percent(closure)
         ),
-        _ => format!("The energy balance closes to {}{web}.", percent(closure)),
+        false => format!("The energy balance closes to {}{web}.", percent(closure)),
     })
 }
 
@@ -193,7 +192,7 @@ mod tests {
                 "The tractors travel 5.93 m along the launch axis by 0.500 s and span up to 32.4 m² at 0.160 s.",
                 "Point B is the fastest: 112 m/s at 0.070 s.",
                 "The middle trails the outline from 0.004 s until 0.187 s and leads it from 0.212 s.",
-                "The energy balance closes to 0.050 % (0.31 % of what the web itself holds).",
+                "The energy balance closes to 0.05 % (0.31 % of what the web itself holds).",
             ]
         );
     }
@@ -223,7 +222,28 @@ mod tests {
         assert!(told[0].contains("stopped before its end"));
         assert_eq!(told[2], "Never reaches 80 % of the flat web.");
         assert!(told[3].contains("beyond its strength (margin 0.800)"));
-        assert!(told.last().unwrap().contains("off by 2.0 %") && told.last().unwrap().contains("do not trust"));
+        assert!(told.last().unwrap().contains("off by 2 %") && told.last().unwrap().contains("do not trust"));
+    }
+
+    #[test]
+    fn a_web_whose_own_energy_does_not_close_is_not_trusted_either() {
+        let mut summary = full();
+        summary["energy"]["tolerance_web"] = json!(0.001);
+        assert!(words(&summary).last().unwrap().contains("do not trust"));
+    }
+
+    #[test]
+    fn the_middle_is_told_of_in_the_order_of_time() {
+        let told = |posture: Value| words(&json!({ "posture": posture }));
+        assert_eq!(
+            told(json!({"concave_from_s": 0.2, "concave_to_s": 0.4, "convex_from_s": 0.15})),
+            ["The middle leads the outline from 0.150 s and trails it from 0.200 s until 0.400 s."]
+        );
+        assert_eq!(
+            told(json!({"concave_from_s": 0.2, "concave_to_s": 0.4, "convex_from_s": null})),
+            ["The middle trails the outline from 0.200 s until 0.400 s."]
+        );
+        assert_eq!(told(json!({"convex_from_s": 0.15})), ["The middle leads the outline from 0.150 s."]);
     }
 
     #[test]

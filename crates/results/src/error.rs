@@ -20,11 +20,19 @@ pub enum ResultError {
         /// The path asked for.
         path: PathBuf,
     },
-    /// The folder is the one the command runs in, or one above it: swapping it would pull the ground from under the shell.
+    /// The folder is the one the command runs in, or one above it: a swap would pull the ground from under the shell.
     #[error("{} is the current folder or holds it: name a folder inside it", path.display())]
     TargetHoldsCurrent {
         /// The path asked for.
         path: PathBuf,
+    },
+    /// The folder, or one that it lies in, cannot be made.
+    #[error("cannot make the folder {}: {source}", path.display())]
+    TargetUnwritable {
+        /// The path asked for.
+        path: PathBuf,
+        /// The reason given.
+        source: io::Error,
     },
     /// The operating system refused a write.
     #[error("cannot write {}: {source}", path.display())]

@@ -37,14 +37,14 @@ impl ResultFolder {
     ///
     /// # Errors
     /// [`ResultError::TargetIsFile`], [`ResultError::TargetNotOurs`] or [`ResultError::TargetHoldsCurrent`] where
-    /// `target` must not be replaced, with nothing written; [`ResultError::Write`] where its parent cannot be written.
+    /// `target` must not be replaced, with nothing written; [`ResultError::TargetUnwritable`] where it cannot be made.
     pub fn create(target: &Path) -> Result<Self, ResultError> {
         let target = resolve(target)?;
         require_replaceable(&target)?;
         let parent = target.parent().unwrap_or(Path::new("/"));
-        fs::create_dir_all(parent).map_err(ResultError::write(parent))?;
         let aside = unused_beside(&target, "new");
-        fs::create_dir(&aside).map_err(ResultError::write(&aside))?;
+        let made = fs::create_dir_all(parent).and_then(|()| fs::create_dir(&aside));
+        made.map_err(|source| ResultError::TargetUnwritable { path: target.clone(), source })?;
         Ok(Self { target, aside })
     }
 
@@ -93,9 +93,9 @@ fn resolve(target: &Path) -> Result<PathBuf, ResultError> {
     match fs::canonicalize(target) {
         Ok(path) => Ok(path),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            std::path::absolute(target).map_err(ResultError::write(target))
+            std::path::absolute(target).map_err(|source| ResultError::TargetUnwritable { path: target.into(), source })
         }
-        Err(source) => Err(ResultError::Write { path: target.to_path_buf(), source }),
+        Err(source) => Err(ResultError::TargetUnwritable { path: target.into(), source }),
     }
 }
 

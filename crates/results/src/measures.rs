@@ -24,9 +24,9 @@ const STARTED: f64 = 0.01;
 struct Peak(Option<(f64, f64)>);
 
 impl Peak {
-    /// Whether `value` is the largest so far.
+    /// Whether `value` is the largest so far. Of a run that diverges only the finite part counts.
     fn add(&mut self, time: f64, value: f64) -> bool {
-        let larger = self.0.is_none_or(|(largest, _)| value > largest);
+        let larger = value.is_finite() && self.0.is_none_or(|(largest, _)| value > largest);
         if larger {
             self.0 = Some((value, time));
         }
@@ -179,7 +179,8 @@ impl Measures {
             self.bottom.add(time, tension);
             sum += tension;
         }
-        self.bottom_integral += dt * sum / self.landmarks.bottom.len() as f64;
+        let mean = sum / self.landmarks.bottom.len() as f64;
+        self.bottom_integral += if mean.is_finite() { dt * mean } else { 0.0 };
     }
 
     /// All that follows from positions alone.

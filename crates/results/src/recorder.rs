@@ -66,7 +66,8 @@ impl<'r> Recorder<'r> {
         let class_names: Vec<&str> = landmarks.classes.iter().map(|c| &c.name[..]).collect();
         let channels = netcast_dynamics::energy::Ledger::default().channels().map(|(name, _)| name);
         let channels: Vec<&str> = channels.into_iter().chain(["residual"]).collect();
-        let labels = landmarks.points.iter().filter(|p| p.nodes.len() == 1).map(|p| (p.nodes[0] as u32, p.name.clone()));
+        let labels =
+            landmarks.points.iter().filter(|p| p.nodes.len() == 1).map(|p| (p.nodes[0] as u32, p.name.clone()));
         let topology = FieldsTopology {
             nodes: system.mass().len(),
             segments: system.segments().iter().map(|s| s.ends.map(|n| n as u32)).collect(),
@@ -93,8 +94,8 @@ impl<'r> Recorder<'r> {
         let landmarks = self.measures.landmarks();
         let at = |node: usize| frame.position[node];
         let axis = landmarks.axis;
-        let outline = (!landmarks.outline.is_empty())
-            .then(|| vector_area(landmarks.outline.iter().map(|nodes| mean(nodes, at))));
+        let outline =
+            (!landmarks.outline.is_empty()).then(|| vector_area(landmarks.outline.iter().map(|nodes| mean(nodes, at))));
         let tractors = (landmarks.tractors.len() >= 3).then(|| vector_area(landmarks.tractors.iter().map(|&n| at(n))));
         let travel_of = |name: &str| {
             let index = landmarks.points.iter().position(|p| p.name == name)?;
@@ -126,7 +127,8 @@ impl<'r> Recorder<'r> {
         row.extend(per_class.into_iter().flat_map(|(mean, max)| [Some(mean), Some(max)]));
         row.extend(frame.ledger.channels().map(|(_, energy)| Some(energy)));
         row.push(Some(frame.residual));
-        row
+        // what overflows as a run diverges has no value
+        row.into_iter().map(|cell| cell.filter(|value| value.is_finite())).collect()
     }
 
     /// (mean, largest) tension of each class, N.
@@ -175,7 +177,8 @@ impl Observer for Recorder<'_> {
         let row = self.row(frame);
         let mut recorded = self.history.push(row);
         if self.rows.is_multiple_of(self.fields_every) {
-            recorded = recorded.and_then(|()| self.fields.push(frame.time, frame.position, frame.velocity, frame.tension));
+            recorded =
+                recorded.and_then(|()| self.fields.push(frame.time, frame.position, frame.velocity, frame.tension));
         }
         self.rows += 1;
         self.last_residual = frame.residual;

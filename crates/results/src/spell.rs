@@ -11,8 +11,11 @@ pub struct Spells {
 }
 
 impl Spells {
-    /// The next value; times ascend.
+    /// The next value; times ascend. One that is not finite is passed over.
     pub fn add(&mut self, time: f64, value: f64) {
+        if !value.is_finite() {
+            return;
+        }
         let crossing = |(t, v): (f64, f64)| t + (time - t) * (v / (v - value));
         match (self.open, value >= 0.0) {
             (None, true) => {

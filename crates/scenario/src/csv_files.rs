@@ -117,6 +117,10 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         let (position_m, velocity_m_s, mass_kg) = (position_m?, velocity_m_s?, mass?.unwrap_or(0.0));
         Some(NodeRow { id, position_m, mass_kg, fixed, velocity_m_s, line: cells.line() })
     });
+    // without a node every name would be wrong, and that has been said
+    if ids.0.is_empty() {
+        return None;
+    }
     check_names(written, &ids, found);
     let ropes = ropes?.rows(found, |cells| {
         let [a, b] = ["a", "b"].map(|column| ids.find(cells, column));

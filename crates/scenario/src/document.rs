@@ -60,6 +60,6 @@ impl Document {
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or
     /// at the nearest parent that was written.
     pub fn diagnostic(&self, path: &str, message: impl Into<String>) -> Diagnostic {
-        self.written.at_value(&Path::parse(path), message)
+        self.written.at_value(&self.written.tree.resolve(&Path::parse(path)), message)
     }
 }

@@ -62,6 +62,7 @@ impl Interval {
             Bound::Unbounded => None,
         };
         let upper = match self.upper {
+            Bound::Included(si) if lower.is_some() => Some(format!("at most {}", limit(si))),
             Bound::Included(si) => Some(format!("of at most {}", limit(si))),
             Bound::Excluded(si) => Some(format!("less than {}", limit(si))),
             Bound::Unbounded => None,

@@ -197,7 +197,7 @@ mod tests {
         assert!(Number::<UpToOne>::from_si(1.5).is_err());
         assert_eq!(
             Angle::<QuarterTurns>::from_text("91 deg").unwrap_err().to_string(),
-            r#"expected an angle of at least -90 deg and of at most 90 deg such as "30 deg", found "91 deg""#
+            r#"expected an angle of at least -90 deg and at most 90 deg such as "30 deg", found "91 deg""#
         );
     }
 

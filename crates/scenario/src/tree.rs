@@ -212,6 +212,20 @@ impl Tree {
         path.0.iter().try_fold(&self.root, |node, step| child(node, step).map(|(_, child)| child))
     }
 
+    /// `path` with its whole numbers as indices where the tree has arrays.
+    pub fn resolve(&self, path: &Path) -> Path {
+        let mut node = Some(&self.root);
+        let steps = path.0.iter().map(|step| {
+            let parent = node;
+            node = parent.and_then(|parent| child(parent, step)).map(|(_, child)| child);
+            match (parent.map(|parent| &parent.value), step) {
+                (Some(Value::Array(_)), Step::Key(key)) => key.parse().map_or_else(|_| step.clone(), Step::Index),
+                _ => step.clone(),
+            }
+        });
+        Path(steps.collect())
+    }
+
     /// Where `path` was written, or the nearest of its parents that was: a value, else the key of a table.
     pub fn origin(&self, path: &Path) -> Origin {
         let mut node = &self.root;

@@ -243,6 +243,9 @@ fn a_missing_scenario_is_named() {
 #[test]
 fn a_later_stage_can_point_at_what_was_written() {
     let document = parse(CONTRACT, &["solve.duration=0.7"]).unwrap();
+    let text = format!("{CONTRACT}\n[[tractors]]\ncorner = 2\n");
+    let found = parse(&text, &[]).unwrap().diagnostic("tractors.0.corner", "");
+    assert_eq!((found.path.as_str(), found.location().unwrap().line), ("tractors[0].corner", 47));
     let place = |path: &str| document.diagnostic(path, "").location().map(|at| (at.line, at.column));
     assert_eq!(place("stow.bag.radius"), Some((26, 10)));
     assert_eq!(place("stow.bag.depth"), Some((25, 7)));

@@ -15,7 +15,7 @@ use crate::screen::{audit, notes, number, rows};
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  netcast check examples/space_web/scenario.toml
+  netcast check examples/04_square_net/square_net.toml
   netcast check net.toml --set solve.segment_length=\"5 cm\"")]
 pub struct Arguments {
     #[command(flatten)]

@@ -12,7 +12,7 @@ use crate::complaint::Complaint;
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  netcast report results/space_web")]
+  netcast report results/square_net")]
 pub struct Arguments {
     /// Result folder, as `netcast run` wrote it
     #[arg(value_name = "DIR")]
@@ -23,6 +23,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Ended {
     let path = write_report(&arguments.folder).map_err(|error| match error {
         ReportError::Write { .. } => Complaint::Fault(error.to_string()),
+        ReportError::Read { .. } => Complaint::Argument(format!("{error}; name a folder that `netcast run` wrote")),
         _ => Complaint::Argument(error.to_string()),
     })?;
     println!("wrote {}", path.display());

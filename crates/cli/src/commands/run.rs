@@ -16,11 +16,11 @@ use crate::progress::Bar;
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  netcast run examples/space_web/scenario.toml
+  netcast run examples/04_square_net/square_net.toml
   netcast run net.toml --out results/faster --set launch.axial_speed=\"60 m/s\"
   netcast run net.toml --json --quiet > summary.json
 
-Ctrl-C stops the run at its next record; what was computed is kept.")]
+Ctrl-C stops the run at its next record; what was computed is kept, and the exit status is 3.")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
@@ -92,7 +92,9 @@ fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
     for sentence in netcast::report::words(&value) {
         println!("  {sentence}");
     }
-    for warning in &ran.summary.warnings {
+    // why it failed is told last, on standard error
+    let failure = ran.failure.as_ref().map(|failure| failure.to_string());
+    for warning in ran.summary.warnings.iter().filter(|warning| Some(*warning) != failure.as_ref()) {
         println!("  note: {warning}");
     }
     let step = &ran.summary.step;

@@ -16,7 +16,7 @@ use crate::screen::{audit, notes};
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  netcast stow examples/space_web/scenario.toml
+  netcast stow examples/04_square_net/square_net.toml
   netcast stow net.toml --set stow.bag.radius=\"20 cm\"
   netcast stow net.toml --write stowed.csv      for [stow.file], after changes of your own")]
 pub struct Arguments {

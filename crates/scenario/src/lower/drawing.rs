@@ -41,6 +41,9 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     let web = add_traction(document, scenario, web)?;
     cut(&web, &Cutting::SegmentLength(length)).map_err(|error| {
         let path = match error {
+            CutError::TooMany { .. } | CutError::SegmentLength(_) if per_mesh.is_some() => {
+                "web.square.segments_per_mesh"
+            }
             CutError::TooMany { .. } | CutError::SegmentLength(_) => "solve.segment_length",
             CutError::Counts { .. } | CutError::NoSegments(_) => "web",
         };
@@ -53,6 +56,7 @@ fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
         drawn.map_err(|error| {
             let key = match &error {
                 WebError::MeshDoesNotDivide { .. } | WebError::MeshTooLarge { .. } => ".mesh",
+                WebError::Count { .. } if matches!(scenario.web, web::Web::Square(_)) => ".mesh",
                 WebError::Count { .. } => ".cells_per_side",
                 _ => ".side",
             };
@@ -108,9 +112,8 @@ fn listed(web: &web::Graph, files: &GraphFiles, scenario: &Scenario) -> Graph {
 fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) -> Diagnostic {
     let rope_line = |rope: &usize| files.ropes.get(*rope).map(|row| row.line);
     let (path, line) = match &error {
-        WebError::UnknownReference { list, .. } | WebError::Repeated { list, .. } => {
-            let path = if *list == "points" { "points".into() } else { format!("web.graph.{list}") };
-            return document.diagnostic(&path, error.to_string());
+        WebError::Repeated { list, id } => {
+            return document.diagnostic(&format!("web.graph.{list}"), format!("node {id:?} is named twice"));
         }
         WebError::OutlineTooShort { .. } => ("web.graph.outline", None),
         WebError::SelfLoop { rope, .. }

@@ -1,0 +1,79 @@
+//! Help, first steps and the command line itself.
+
+use std::path::Path;
+
+use crate::bench::Bench;
+
+const COMMANDS: [&str; 6] = ["run", "check", "init", "stow", "report", "schema"];
+
+#[test]
+fn netcast_alone_says_what_to_do_next() {
+    let ended = Bench::new(&[]).succeed(&[]);
+    for said in ["thrown", "First steps", "netcast init", "netcast check scenario.toml", "netcast run scenario.toml"] {
+        assert!(ended.stdout.contains(said), "{said}: {}", ended.stdout);
+    }
+    for command in COMMANDS {
+        assert!(ended.stdout.contains(&format!("\n  {command} ")), "{command}: {}", ended.stdout);
+    }
+    assert_eq!(ended.stderr, "");
+}
+
+#[test]
+fn the_first_steps_can_be_taken_as_they_are_told() {
+    let bench = Bench::new(&[]);
+    bench.succeed(&["init"]);
+    bench.succeed(&["check", "scenario.toml"]);
+    bench.succeed(&["run", "scenario.toml", "--set", "solve.duration=1 ms"]);
+    assert!(bench.path("results/scenario/report.html").is_file());
+}
+
+#[test]
+fn every_command_has_help_with_examples_and_long_names() {
+    let bench = Bench::new(&[]);
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for command in COMMANDS {
+        let help = bench.succeed(&[command, "--help"]).stdout;
+        let examples = help.split("Examples:").nth(1).unwrap_or_else(|| panic!("{help}"));
+        assert!(examples.contains(&format!("\n  netcast {command}")), "{help}");
+        // an example that names a shipped file names one that there is
+        for word in examples.split_whitespace().filter(|word| word.starts_with("examples/")) {
+            assert!(repository.join(word).is_file(), "`netcast {command} --help` names {word}");
+        }
+        let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-') && !line.starts_with("- "));
+        for line in lines {
+            assert!(line.starts_with("--") || line.starts_with("-h, --help"), "an option without a long name: {line}");
+        }
+    }
+    let run = bench.succeed(&["run", "--help"]).stdout;
+    for option in ["--set <", "--out <", "--threads <", "--quiet", "--json"] {
+        assert!(run.contains(option), "{option}: {run}");
+    }
+}
+
+#[test]
+fn a_wrong_command_line_is_wrong_input() {
+    let bench = Bench::with_net();
+    let before = bench.listing();
+    for (arguments, said) in [
+        (&["chck", "net.toml"][..], "'check'"),
+        (&["run"], "<SCENARIO>"),
+        (&["run", "net.toml", "--thread", "2"], "'--threads'"),
+        (&["run", "net.toml", "--threads", "0"], "0 is not in 1.."),
+        (&["run", "net.toml", "--threads", "many"], "'many'"),
+        (&["run", "net.toml", "more.toml"], "more.toml"),
+        (&["init", "sqare"], "square"),
+        (&["report"], "<DIR>"),
+    ] {
+        let ended = bench.netcast(arguments);
+        assert_eq!(ended.status, 2, "{arguments:?}");
+        assert!(ended.stderr.contains(said), "{arguments:?}: {}", ended.stderr);
+        assert_eq!(ended.stdout, "");
+    }
+    assert!(bench.listing() == before, "something was written");
+}
+
+#[test]
+fn the_version_is_the_packages() {
+    let ended = Bench::new(&[]).succeed(&["--version"]);
+    assert_eq!(ended.stdout, format!("netcast {}\n", env!("CARGO_PKG_VERSION")));
+}

@@ -1,0 +1,11 @@
+//! The `netcast` command as a user meets it: what it prints, what it writes, how it ends.
+
+mod bench;
+mod command_line;
+mod contract;
+mod failing_runs;
+mod other_commands;
+mod overrides;
+mod result_folder;
+mod same_bits;
+mod wrong_inputs;

@@ -1,0 +1,164 @@
+//! `check`, `stow`, `init`, `report` and `schema`.
+
+use std::fs;
+
+use crate::bench::{Bench, SMALL_NET};
+
+const KINDS: [&str; 6] = ["space", "traditional", "topological", "square", "graph", "held"];
+
+#[test]
+fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
+    let bench = Bench::with_net();
+    let before = bench.listing();
+    let said = bench.succeed(&["check", "net.toml"]).stdout;
+    assert!(bench.listing() == before, "something was written");
+    let value = |name: &str| {
+        let row = said.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_else(|| panic!("{name}: {said}"));
+        row.trim_start()[name.len()..].trim().to_owned()
+    };
+    // ten lines of 2 m; 1140 kg/m^3 and 3 mm: 8.058 g a metre
+    assert_eq!(value("rope 3.00 mm"), "20.000 m, 0.1612 kg");
+    assert_eq!(value("of which outline"), "8.0000 m");
+    assert_eq!(value("of which inner"), "12.000 m");
+    assert_eq!(value("knots, ropes"), "25, 40");
+    assert_eq!(value("tractors"), "4, 1.200 kg");
+    assert_eq!(value("thrown in all"), "1.361 kg");
+    assert_eq!(value("model"), "65 nodes, 80 segments");
+    assert_eq!(value("area inside the outline"), "4.0000 m^2 flat");
+    assert!(value("longest stretch").starts_with("none"), "{said}");
+    assert!(value("step").contains(" us, at most 25.0 % of the stable "), "{said}");
+    assert!(value("records").starts_with("11, "), "{said}");
+    let step: Vec<&str> = said.lines().filter(|line| line.contains("which segment")).collect();
+    assert_eq!(step.len(), 1, "{said}");
+    // what it says of the steps is what a run takes
+    bench.succeed(&["run", "net.toml", "--quiet"]);
+    let count = bench.summary("results/net")["step"]["count"].to_string();
+    assert_eq!(value("steps"), format!("{count} for 0.05000 s"));
+}
+
+#[test]
+fn a_choice_made_for_the_user_is_said() {
+    let net = SMALL_NET.replace("segments_per_mesh = 2\n", "");
+    let bench = Bench::new(&[("net.toml", &net)]);
+    let said = bench.succeed(&["check", "net.toml"]).stdout;
+    assert!(said.contains("note: ropes are cut into segments of about"), "{said}");
+    bench.succeed(&["run", "net.toml", "--quiet"]);
+    assert!(bench.summary("results/net")["warnings"].to_string().contains("segments of about"));
+}
+
+#[test]
+fn a_stowed_web_can_be_written_changed_and_run() {
+    let bench = Bench::with_net();
+    let bag = ["--set", "stow={bag={radius=\"0.2 m\"}}"];
+    let said = bench.succeed(&[&["stow", "net.toml", "--write", "stowed.csv"][..], &bag].concat()).stdout;
+    for audit in ["longest stretch", "stored energy    0 J", "packed size      radius 0.2000 m"] {
+        assert!(said.contains(audit), "{audit}: {said}");
+    }
+    let rows = bench.read("stowed.csv");
+    assert_eq!(rows.lines().next(), Some("id,x,y,z"));
+    assert_eq!(rows.lines().count(), 1 + 65);
+
+    bench.succeed(&[&["run", "net.toml", "--quiet", "--out", "bag"][..], &bag].concat());
+    bench.succeed(&["run", "net.toml", "--quiet", "--out", "file", "--set", "stow={file={path=\"stowed.csv\"}}"]);
+    for file in ["history.csv", "fields.vtkhdf"] {
+        let [bag, from_file] = ["bag", "file"].map(|folder| fs::read(bench.path(folder).join(file)).unwrap());
+        assert!(bag == from_file, "{file}");
+    }
+    assert!(bench.path("file/inputs/stowed.csv").is_file());
+}
+
+/// Positions are those of the launch frame, whichever way the launch points.
+#[test]
+fn a_stow_file_does_not_depend_on_the_launch() {
+    let bench = Bench::with_net();
+    let tilted = ["--set", "launch.elevation=30 deg", "--set", "launch.azimuth=70 deg"];
+    bench.succeed(&["stow", "net.toml", "--write", "up.csv"]);
+    bench.succeed(&[&["stow", "net.toml", "--write", "tilted.csv"][..], &tilted].concat());
+    let numbers = |file: &str| -> Vec<f64> {
+        let text = bench.read(file);
+        text.lines().skip(1).flat_map(|line| line.split(',').skip(1)).map(|cell| cell.parse().unwrap()).collect()
+    };
+    for (up, tilted) in numbers("up.csv").into_iter().zip(numbers("tilted.csv")) {
+        assert!((up - tilted).abs() < 1e-15 * 8.0, "{up} {tilted}");
+    }
+}
+
+#[test]
+fn a_stow_file_that_cannot_be_written_is_named() {
+    let ended = Bench::with_net().netcast(&["stow", "net.toml", "--write", "no/such/folder.csv"]);
+    assert_eq!(ended.status, 2);
+    assert!(ended.stderr.contains("cannot write no/such/folder.csv"), "{}", ended.stderr);
+}
+
+#[test]
+fn every_kind_of_start_can_be_checked_and_run() {
+    let bench = Bench::new(&[]);
+    for kind in KINDS {
+        let file = format!("{kind}/{kind}.toml");
+        let said = bench.succeed(&["init", kind, "--out", &file]).stdout;
+        assert!(said.contains(&format!("next: netcast run {file}")), "{said}");
+        bench.succeed(&["check", &file]);
+        bench.succeed(&["run", &file, "--quiet", "--set", "solve.duration=2 ms"]);
+        assert_eq!(bench.summary(&format!("results/{kind}"))["finished"], true);
+        // commented: a line of comment for every three of the rest at least
+        let text = bench.read(&file);
+        let (comments, lines) = (text.matches('#').count(), text.lines().filter(|line| !line.is_empty()).count());
+        assert!(4 * comments >= lines, "{file}: {comments} comments in {lines} lines");
+    }
+    let help = bench.succeed(&["init", "--help"]).stdout;
+    for kind in KINDS {
+        assert!(help.contains(&format!("- {kind}:")), "{help}");
+    }
+}
+
+#[test]
+fn init_overwrites_nothing() {
+    let bench = Bench::new(&[("nodes.csv", "mine")]);
+    let before = bench.listing();
+    let ended = bench.netcast(&["init", "graph"]);
+    assert_eq!(ended.status, 2);
+    assert!(ended.stderr.contains("nodes.csv exists already"), "{}", ended.stderr);
+    assert!(bench.listing() == before, "something was written");
+    bench.succeed(&["init", "held"]);
+    let before = bench.listing();
+    assert_eq!(bench.netcast(&["init", "space"]).status, 2);
+    assert!(bench.listing() == before, "something was written");
+}
+
+#[test]
+fn a_report_is_written_anew_from_the_results_alone() {
+    let bench = Bench::with_net();
+    bench.succeed(&["run", "net.toml", "--quiet"]);
+    let page = bench.read("results/net/report.html");
+    fs::remove_file(bench.path("results/net/report.html")).unwrap();
+    fs::rename(bench.path("results/net"), bench.path("moved")).unwrap();
+    let said = bench.succeed(&["report", "moved"]).stdout;
+    assert!(said.contains("report.html"), "{said}");
+    assert!(bench.read("moved/report.html") == page, "the report differs from that of the run");
+}
+
+#[test]
+fn a_folder_without_results_has_no_report() {
+    let bench = Bench::with_net();
+    let before = bench.listing();
+    for folder in [".", "nowhere", "net.toml"] {
+        let ended = bench.netcast(&["report", folder]);
+        assert_eq!(ended.status, 2, "{folder}");
+        assert!(ended.stderr.contains("summary.json"), "{}", ended.stderr);
+        assert!(ended.stderr.contains("`netcast run`"), "{}", ended.stderr);
+    }
+    assert!(bench.listing() == before, "something was written");
+}
+
+#[test]
+fn the_schema_knows_every_key_of_a_scenario() {
+    let text = Bench::new(&[]).succeed(&["schema"]).stdout;
+    let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    for key in ["title", "web", "rope", "ropes", "assign", "canopy", "payload", "traction_rope", "tractor", "tractors"] {
+        assert!(schema["properties"][key]["description"].is_string(), "{key}");
+    }
+    for key in ["stow", "launch", "environment", "solve", "record", "hold", "points"] {
+        assert!(schema["properties"][key]["description"].is_string(), "{key}");
+    }
+}

@@ -1,0 +1,215 @@
+//! The page made of a result folder: whole, offline, safe, and made of whatever the folder has.
+
+use std::fs;
+
+use netcast_report::{ReportError, write_report};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+/// A result as a launched web with points, classes and energies leaves it.
+fn summary() -> Value {
+    json!({
+        "title": "A web", "netcast": "0.1.0", "wall_time_s": 1.5, "finished": true,
+        "model": {"nodes": 1893, "segments": 2108, "rope_length_m": 117.0, "web_mass_kg": 57.7, "tractor_mass_kg": 166.8},
+        "step": {"dt_s": 1.3e-6, "count": 472441, "limited_by": "segment 12 of traction rope 3"},
+        "opening": {
+            "area_max_m2": 15.8, "area_max_time_s": 0.131, "reference_area_m2": 16.238, "vector_area_max_m2": 15.9,
+            "effective_from_s": 0.112, "effective_to_s": 0.193, "effective_duration_s": 0.081,
+            "tractor_area_max_m2": 32.4, "tractor_area_max_time_s": 0.16
+        },
+        "points": {
+            "B": {"peak_speed_m_s": 112.4, "peak_speed_time_s": 0.07, "peak_travel_m": 8.8, "peak_travel_time_s": 0.6,
+                  "peak_height_m": 8.8, "starts_s": 0.06},
+            "tractor": {"peak_speed_m_s": 70.7, "peak_speed_time_s": 0.0, "peak_travel_m": 5.9,
+                        "peak_travel_time_s": 0.6, "peak_height_m": 5.9, "starts_s": 0.001}
+        },
+        "tension": {
+            "max_n": 51000.0, "max_time_s": 0.15, "max_where": "traction", "bottom_max_n": 14200.0, "bottom_mean_n": 3900.0,
+            "by_class": {"traction": {"max_n": 51000.0, "max_time_s": 0.15, "margin": 1.84},
+                         "ring": {"max_n": 18000.0, "max_time_s": 0.14, "margin": null}}
+        },
+        "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
+        "energy": {"initial_j": 417000.0, "final_j": 52000.0, "closure": 0.0005, "closure_web": 0.0031,
+                   "channels": {"kinetic": 12000.0, "elastic": 3.0}, "residual_j": 210.0, "tolerance": 0.003},
+        "warnings": ["The air is left out."]
+    })
+}
+
+const COLUMNS: &str = "time_s,area_m2,vector_area_m2,tractor_area_m2,centre_travel_m,corner_travel_m,tractor_travel_m,\
+    tension_max_n,B_x_m,B_y_m,B_z_m,B_travel_m,B_speed_m_s,B_tension_n,tractor_speed_m_s,traction_mean_n,traction_max_n,\
+    ring_mean_n,ring_max_n,energy_kinetic_j,energy_elastic_j,energy_residual_j";
+
+fn history() -> String {
+    let mut text = format!("{COLUMNS}\n");
+    let width = COLUMNS.split(',').count();
+    for step in 0..=600 {
+        let cells: Vec<String> =
+            (0..width).map(|column| (step as f64 * 1e-3 * (1 + column) as f64).to_string()).collect();
+        text += &format!("{}\n", cells.join(","));
+    }
+    text
+}
+
+fn manifest() -> Value {
+    json!({
+        "program": "netcast", "version": "0.1.0", "revision": null, "input_hash": "e3b0c44298fc1c14", "threads": 1,
+        "machine": {"os": "linux", "arch": "x86_64", "cpu": null, "cores": 2}, "seed": null, "wall_time_s": 1.5,
+        "started": "2026-11-22T01:42:17Z"
+    })
+}
+
+fn folder(summary: &Value, history: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("summary.json"), summary.to_string()).unwrap();
+    fs::write(folder.path().join("history.csv"), history).unwrap();
+    fs::write(folder.path().join("manifest.json"), manifest().to_string()).unwrap();
+    folder
+}
+
+fn page(summary: &Value, history: &str) -> String {
+    let folder = folder(summary, history);
+    let path = write_report(folder.path()).unwrap();
+    assert_eq!(path, folder.path().join("report.html"));
+    fs::read_to_string(path).unwrap()
+}
+
+/// The page without the charting library, whose source mentions addresses that it never fetches.
+fn without_library(page: &str) -> String {
+    let start = page.find("<script type=\"text/javascript\">").expect("the library is embedded");
+    let end = start + page[start..].find("</script>").expect("a script ends");
+    format!("{}{}", &page[..start], &page[end..])
+}
+
+/// The figures as the page's script reads them.
+fn figures(page: &str) -> Vec<Value> {
+    let (_, data) = page.split_once("id=\"figure-data\">").unwrap();
+    let (data, _) = data.split_once("</script>").unwrap();
+    serde_json::from_str(data).unwrap()
+}
+
+/// The curves that the page draws, by the identity of their figure.
+fn curves(page: &str) -> Vec<(String, Vec<String>)> {
+    let name = |value: &Value| value.as_str().unwrap().to_owned();
+    figures(page)
+        .iter()
+        .map(|figure| {
+            let curves = figure["curves"].as_array().unwrap();
+            (name(&figure["id"]), curves.iter().map(|curve| name(&curve["name"])).collect())
+        })
+        .collect()
+}
+
+#[test]
+fn one_file_that_fetches_nothing() {
+    let page = page(&summary(), &history());
+    assert!(page.len() < 6_000_000, "{} bytes", page.len());
+    // the browser itself is told to refuse what a later change might fetch
+    assert!(page.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"));
+    let own = without_library(&page);
+    for fetch in ["http:", "https:", "<link", "<iframe", "<img", "src=", "@import", "url(", "fetch("] {
+        assert!(!own.contains(fetch), "the page has `{fetch}`");
+    }
+}
+
+#[test]
+fn every_curve_is_there_under_its_name() {
+    let expected = [
+        ("areas", vec!["outline area", "vector area", "tractors' polygon", "80 % of the flat web"]),
+        ("speeds", vec!["B", "tractors"]),
+        ("travels", vec!["centre", "corners", "tractors", "B"]),
+        ("class-tensions", vec!["traction", "traction, mean", "ring", "ring, mean"]),
+        ("point-tensions", vec!["B (bottom ropes)"]),
+        ("energies", vec!["kinetic", "elastic"]),
+        ("residual", vec!["residual"]),
+    ];
+    let page = page(&summary(), &history());
+    let found = curves(&page);
+    assert_eq!(found.len(), expected.len());
+    for ((id, names), (expected_id, expected_names)) in found.iter().zip(&expected) {
+        assert_eq!(id, expected_id);
+        assert_eq!(names, expected_names, "curves of {id}");
+        assert!(page.contains(&format!("<div class=\"plot\" id=\"{id}\">")));
+    }
+}
+
+/// The unit and the first value of the chart of tension by class.
+fn first_tension(history: &str) -> (String, Value) {
+    let page = page(&summary(), history);
+    let figures = figures(&page);
+    let tensions = figures.iter().find(|figure| figure["id"] == "class-tensions").unwrap();
+    (tensions["unit"].as_str().unwrap().to_owned(), tensions["curves"][0]["y"][0].clone())
+}
+
+#[test]
+fn curves_carry_the_numbers_of_the_history_in_a_fitting_unit() {
+    let page = page(&summary(), &history());
+    let area = &figures(&page)[0];
+    assert_eq!(area["yTitle"], "area, m²");
+    assert_eq!(area["shaded"], json!([0.112, 0.193]));
+    // the second column is twice the time
+    assert_eq!(area["curves"][0]["x"][300], json!(0.3));
+    assert_eq!(area["curves"][0]["y"][300], json!(0.6));
+    // 80 % of 16.238 m2
+    assert_eq!(area["curves"][3]["y"], json!([12.9904, 12.9904]));
+
+    let loud = format!("{COLUMNS}\n{}\n", vec!["48200"; COLUMNS.split(',').count()].join(","));
+    assert_eq!(first_tension(&loud), ("kN".to_owned(), json!(48.2)));
+}
+
+#[test]
+fn words_and_numbers_stand_on_the_page() {
+    let page = page(&summary(), &history());
+    assert!(page.contains("<li>Opens to 15.8 m² (97 % of the flat web) at 0.131 s.</li>"));
+    assert!(page.contains("<li>The air is left out.</li>"));
+    for number in ["51.0 kN", "1.84", "segment 12 of traction rope 3", "1.30 µs", "2026-11-22T01:42:17Z"] {
+        assert!(page.contains(number), "{number}");
+    }
+}
+
+#[test]
+fn a_title_cannot_become_markup() {
+    let mut summary = summary();
+    summary["title"] = json!("</title><script>alert(\"1 & 2\")</script> {{words}}");
+    summary["step"]["limited_by"] = json!("<b>rope</b>");
+    let history = history().replace("ring_", "</script><b>_");
+    let own = without_library(&page(&summary, &history));
+    assert!(own.contains("&lt;/title&gt;&lt;script&gt;alert(&quot;1 &amp; 2&quot;)&lt;/script&gt; {{words}}"));
+    assert!(own.contains("&lt;b&gt;rope&lt;/b&gt;") && !own.contains("<b>"));
+    assert!(!own.contains("<script>alert"));
+}
+
+#[test]
+fn what_a_scenario_does_not_have_is_left_out() {
+    let summary = json!({
+        "title": "", "finished": false,
+        "opening": {"area_max_m2": null, "reference_area_m2": null, "effective_from_s": null, "effective_to_s": null},
+        "points": {"A": null, "tractor": null}, "tension": {"max_n": 0.0, "max_time_s": null, "by_class": {}},
+        "posture": {"concave_from_s": null}, "energy": {"closure": null}
+    });
+    let page = page(&summary, "time_s,area_m2,tractor_travel_m,energy_kinetic_j\n0,,,1\n0.001,,,2\n");
+    assert_eq!(curves(&page), [("energies".to_owned(), vec!["kinetic".to_owned()])]);
+    assert!(page.contains("<title>Untitled scenario</title>"));
+    assert!(page.contains("stopped early"));
+    assert!(!without_library(&page).contains("NaN"));
+}
+
+#[test]
+fn a_run_that_failed_at_once_has_a_page_too() {
+    let page = page(&json!({"title": "Failed", "finished": false}), "time_s\n");
+    assert!(curves(&page).is_empty());
+    assert!(page.contains("The run stopped before its end"));
+}
+
+#[test]
+fn what_is_wrong_with_the_folder_is_said() {
+    let empty = tempfile::tempdir().unwrap();
+    assert!(write_report(empty.path()).unwrap_err().to_string().contains("summary.json"));
+
+    let bad_cell = folder(&summary(), "time_s,area_m2\n0,1\n0.001,wide\n");
+    let error = write_report(bad_cell.path()).unwrap_err();
+    assert!(matches!(&error, ReportError::NotANumber { line: 3, column, .. } if column == "area_m2"), "{error}");
+
+    let bad_json = folder(&summary(), &history());
+    fs::write(bad_json.path().join("manifest.json"), "{").unwrap();
+    assert!(matches!(write_report(bad_json.path()), Err(ReportError::Json { .. })));
+}
