@@ -1,12 +1,31 @@
 //! What commands print for people: columns of names and values.
 
+use std::fmt::Arguments;
+use std::io::{ErrorKind, Write};
+
 use netcast::Model;
+
+/// Prints a line for the user, as `println!` does. A reader that has gone, such as `head`, is no error.
+macro_rules! say {
+    ($($told:tt)*) => { $crate::screen::print_line(format_args!($($told)*)) };
+}
+pub(crate) use say;
+
+/// Prints a line to standard output; ends the program where it cannot be written, unless that is because nobody reads.
+pub fn print_line(line: Arguments) {
+    if let Err(error) = writeln!(std::io::stdout(), "{line}")
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        eprintln!("error: cannot write to standard output: {error}");
+        std::process::exit(1);
+    }
+}
 
 /// Prints rows of a name and a value, names in one column.
 pub fn rows(rows: &[(String, String)]) {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     for (name, value) in rows {
-        println!("  {name:width$}  {value}");
+        say!("  {name:width$}  {value}");
     }
 }
 
@@ -35,7 +54,7 @@ pub fn audit(model: &Model) {
             s => format!("none; {label} comes nearest, {} % short of its rest length", number(-s, 3)),
         }
     });
-    println!("State at the start");
+    say!("State at the start");
     rows(&[
         ("longest stretch".into(), stretch.unwrap_or_else(|| "there are no segments".into())),
         ("stored energy".into(), format!("{} J", number(audit.stored_energy, 4))),
@@ -49,6 +68,6 @@ pub fn audit(model: &Model) {
 /// What was chosen or changed for the user.
 pub fn notes(model: &Model) {
     for note in &model.notes {
-        println!("note: {note}");
+        say!("note: {note}");
     }
 }

@@ -7,8 +7,8 @@ use crate::state::State;
 use crate::system::System;
 use crate::time::step::Stepper;
 
-/// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure stays below 1
-/// however far a run diverges: here, a hundred times what there was.
+/// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
+/// stays below 1 however far a run diverges: here, a hundred times what there was.
 const DIVERGED: f64 = 0.99;
 
 /// When steps and records happen.

@@ -7,7 +7,7 @@ use crate::format::{percent, significant, time, with_prefix};
 /// The result of a run as sentences, most important first, from the value of its `summary.json`.
 ///
 /// What a scenario does not have (null or missing) is not spoken of; the first sentence says it where a run did not
-/// reach its end.
+/// reach its end. Of a run that came apart nothing else is told: its numbers mean nothing.
 ///
 /// ```
 /// let summary = serde_json::json!({
@@ -17,11 +17,27 @@ use crate::format::{percent, significant, time, with_prefix};
 /// assert_eq!(netcast_report::words(&summary)[0], "Opens to 15.8 m² (97 % of the flat web) at 0.131 s.");
 /// ```
 pub fn words(summary: &Value) -> Vec<String> {
-    [unfinished, opening, effective_opening, hardest_pull, bottom_pull, tractors, fastest_point, posture, energy]
-        .iter()
-        .filter_map(|sentence| sentence(summary))
-        .collect()
+    let told: &[Sentence] = match summary["energy"]["closure"].as_f64() {
+        Some(closure) if closure > CAME_APART => &[unfinished, energy],
+        _ => &[
+            unfinished,
+            opening,
+            effective_opening,
+            hardest_pull,
+            bottom_pull,
+            tractors,
+            fastest_point,
+            posture,
+            energy,
+        ],
+    };
+    told.iter().filter_map(|sentence| sentence(summary)).collect()
 }
+
+type Sentence = fn(&Value) -> Option<String>;
+
+/// Share of all energy that a balance misses only where the step no longer resolved the motion.
+const CAME_APART: f64 = 0.5;
 
 fn unfinished(summary: &Value) -> Option<String> {
     let said = "The run stopped before its end: what follows covers the time up to there.";
@@ -178,6 +194,16 @@ mod tests {
             "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
             "energy": {"closure": 0.0005, "closure_web": 0.0031, "tolerance": 0.003}
         })
+    }
+
+    #[test]
+    fn of_a_run_that_came_apart_only_that_is_told() {
+        let mut summary = full();
+        summary["finished"] = json!(false);
+        summary["energy"]["closure"] = json!(0.993);
+        let told = words(&summary);
+        assert_eq!(told.len(), 2, "{told:?}");
+        assert!(told[0].starts_with("The run stopped") && told[1].contains("do not trust"));
     }
 
     #[test]

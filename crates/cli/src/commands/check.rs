@@ -9,7 +9,7 @@ use netcast::{Model, schedule};
 
 use super::ScenarioArguments;
 use crate::Ended;
-use crate::screen::{audit, notes, number, rows};
+use crate::screen::{audit, notes, number, rows, say};
 
 /// Read and check a scenario; print its bill of materials, step size and cost. Runs nothing
 #[derive(Args)]
@@ -26,7 +26,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Ended {
     let model = Model::new(&arguments.scenario.read()?)?;
     if !model.scenario.title.is_empty() {
-        println!("{}", model.scenario.title);
+        say!("{}", model.scenario.title);
     }
     notes(&model);
     bill(&model);
@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Ended {
 /// What it is made of.
 fn bill(model: &Model) {
     let bill = &model.bill;
-    println!("Bill of materials");
+    say!("Bill of materials");
     let mut lines = Vec::new();
     for rope in &bill.ropes {
         lines.push((
@@ -82,7 +82,7 @@ fn cost(model: &Model) {
     let records = schedule.count / schedule.steps_per_record + 1;
     let frame = (nodes * 6 + segments) * size_of::<f64>();
     let seconds = schedule.count as f64 * step_time(model, schedule.dt);
-    println!("Cost");
+    say!("Cost");
     rows(&[
         ("model".into(), format!("{nodes} nodes, {segments} segments")),
         (
@@ -97,7 +97,11 @@ fn cost(model: &Model) {
         ("steps".into(), format!("{} for {} s", schedule.count, number(schedule.time(schedule.count), 4))),
         (
             "segment updates".into(),
-            format!("{}, about {} s on one core of this machine", number(schedule.count as f64 * segments as f64, 3), number(seconds, 2)),
+            format!(
+                "{}, about {} s on one core of this machine",
+                number(schedule.count as f64 * segments as f64, 3),
+                number(seconds, 2)
+            ),
         ),
         ("records".into(), format!("{records}, about {} MB", number(1e-6 * (records as f64) * frame as f64, 2))),
     ]);

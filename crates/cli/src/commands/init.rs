@@ -9,6 +9,7 @@ use netcast::scenario::init::{TEMPLATES, template};
 
 use crate::Ended;
 use crate::complaint::Complaint;
+use crate::screen::say;
 
 /// Write a commented scenario to start from
 #[derive(Args)]
@@ -48,9 +49,9 @@ pub fn run(arguments: &Arguments) -> Ended {
     for (path, text) in &files {
         let file = OpenOptions::new().write(true).create_new(true).open(path);
         file.and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| cannot(path, &error))?;
-        println!("wrote {}", path.display());
+        say!("wrote {}", path.display());
     }
-    println!("next: netcast run {}", arguments.out.display());
+    say!("next: netcast run {}", arguments.out.display());
     Ok(())
 }
 

@@ -7,6 +7,7 @@ use netcast::report::{ReportError, write_report};
 
 use crate::Ended;
 use crate::complaint::Complaint;
+use crate::screen::say;
 
 /// Write report.html of a result folder anew
 #[derive(Args)]
@@ -26,6 +27,6 @@ pub fn run(arguments: &Arguments) -> Ended {
         ReportError::Read { .. } => Complaint::Argument(format!("{error}; name a folder that `netcast run` wrote")),
         _ => Complaint::Argument(error.to_string()),
     })?;
-    println!("wrote {}", path.display());
+    say!("wrote {}", path.display());
     Ok(())
 }

@@ -11,6 +11,7 @@ use super::ScenarioArguments;
 use crate::Ended;
 use crate::complaint::Complaint;
 use crate::progress::Bar;
+use crate::screen::say;
 
 /// Run a scenario: results to a folder, a summary to the screen
 #[derive(Args)]
@@ -72,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Ended {
 
     let summary = ran.summary.to_json().map_err(Complaint::from)?;
     if arguments.json {
-        print!("{summary}");
+        say!("{}", summary.trim_end());
     } else if !arguments.quiet {
         tell(&ran, &summary)?;
     }
@@ -87,25 +88,25 @@ fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
     let value: serde_json::Value =
         serde_json::from_str(summary).map_err(|error| Complaint::Fault(format!("summary.json: {error}")))?;
     if !ran.summary.title.is_empty() {
-        println!("{}", ran.summary.title);
+        say!("{}", ran.summary.title);
     }
     for sentence in netcast::report::words(&value) {
-        println!("  {sentence}");
+        say!("  {sentence}");
     }
     // why it failed is told last, on standard error
     let failure = ran.failure.as_ref().map(|failure| failure.to_string());
     for warning in ran.summary.warnings.iter().filter(|warning| Some(*warning) != failure.as_ref()) {
-        println!("  note: {warning}");
+        say!("  note: {warning}");
     }
     let step = &ran.summary.step;
     let limit = step.limited_by.as_ref().map_or(String::new(), |place| format!(", limited by {place}"));
-    println!(
+    say!(
         "  {} segments, {} steps of {:.3} us{limit}; {:.2} s on the clock.",
         ran.summary.model.segments,
         step.count,
         1e6 * step.dt_s,
         ran.summary.wall_time_s
     );
-    println!("  Open {}", ran.folder.join("report.html").display());
+    say!("  Open {}", ran.folder.join("report.html").display());
     Ok(())
 }

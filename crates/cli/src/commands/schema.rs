@@ -4,6 +4,7 @@ use clap::Args;
 
 use crate::Ended;
 use crate::complaint::Complaint;
+use crate::screen::say;
 
 /// Print the JSON Schema of the scenario, for editors
 #[derive(Args)]
@@ -18,6 +19,6 @@ pub struct Arguments {}
 /// Carries it out.
 pub fn run(_: &Arguments) -> Ended {
     let text = serde_json::to_string_pretty(netcast::scenario::schema());
-    println!("{}", text.map_err(|error| Complaint::Fault(error.to_string()))?);
+    say!("{}", text.map_err(|error| Complaint::Fault(error.to_string()))?);
     Ok(())
 }

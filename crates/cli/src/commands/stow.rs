@@ -10,7 +10,7 @@ use netcast::scenario::lower::node_id;
 use super::ScenarioArguments;
 use crate::Ended;
 use crate::complaint::Complaint;
-use crate::screen::{audit, notes};
+use crate::screen::{audit, notes, say};
 
 /// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size
 #[derive(Args)]
@@ -35,12 +35,14 @@ pub fn run(arguments: &Arguments) -> Ended {
     audit(&model);
     if let Some(path) = &arguments.write {
         let to_launch_frame = model.frame.transpose();
-        let nodes = model.state.position.iter().enumerate().map(|(node, &x)| StowedNode {
-            id: node_id(&model.cut, node),
-            position_m: (to_launch_frame * x).into(),
-        });
-        write_stow(path, nodes).map_err(|error| Complaint::Argument(format!("cannot write {}: {error}", path.display())))?;
-        println!("wrote {}", path.display());
+        let nodes =
+            model.state.position.iter().enumerate().map(|(node, &x)| StowedNode {
+                id: node_id(&model.cut, node),
+                position_m: (to_launch_frame * x).into(),
+            });
+        write_stow(path, nodes)
+            .map_err(|error| Complaint::Argument(format!("cannot write {}: {error}", path.display())))?;
+        say!("wrote {}", path.display());
     }
     Ok(())
 }

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::bench::Bench;
+use crate::workbench::{Ended, Workbench};
 
 const COMMANDS: [&str; 6] = ["run", "check", "init", "stow", "report", "schema"];
 
 #[test]
 fn netcast_alone_says_what_to_do_next() {
-    let ended = Bench::new(&[]).succeed(&[]);
+    let ended = Workbench::new(&[]).succeed(&[]);
     for said in ["thrown", "First steps", "netcast init", "netcast check scenario.toml", "netcast run scenario.toml"] {
         assert!(ended.stdout.contains(said), "{said}: {}", ended.stdout);
     }
@@ -20,19 +20,19 @@ fn netcast_alone_says_what_to_do_next() {
 
 #[test]
 fn the_first_steps_can_be_taken_as_they_are_told() {
-    let bench = Bench::new(&[]);
-    bench.succeed(&["init"]);
-    bench.succeed(&["check", "scenario.toml"]);
-    bench.succeed(&["run", "scenario.toml", "--set", "solve.duration=1 ms"]);
-    assert!(bench.path("results/scenario/report.html").is_file());
+    let workbench = Workbench::new(&[]);
+    workbench.succeed(&["init"]);
+    workbench.succeed(&["check", "scenario.toml"]);
+    workbench.succeed(&["run", "scenario.toml", "--set", "solve.duration=1 ms"]);
+    assert!(workbench.path("results/scenario/report.html").is_file());
 }
 
 #[test]
 fn every_command_has_help_with_examples_and_long_names() {
-    let bench = Bench::new(&[]);
+    let workbench = Workbench::new(&[]);
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for command in COMMANDS {
-        let help = bench.succeed(&[command, "--help"]).stdout;
+        let help = workbench.succeed(&[command, "--help"]).stdout;
         let examples = help.split("Examples:").nth(1).unwrap_or_else(|| panic!("{help}"));
         assert!(examples.contains(&format!("\n  netcast {command}")), "{help}");
         // an example that names a shipped file names one that there is
@@ -44,7 +44,7 @@ fn every_command_has_help_with_examples_and_long_names() {
             assert!(line.starts_with("--") || line.starts_with("-h, --help"), "an option without a long name: {line}");
         }
     }
-    let run = bench.succeed(&["run", "--help"]).stdout;
+    let run = workbench.succeed(&["run", "--help"]).stdout;
     for option in ["--set <", "--out <", "--threads <", "--quiet", "--json"] {
         assert!(run.contains(option), "{option}: {run}");
     }
@@ -52,8 +52,8 @@ fn every_command_has_help_with_examples_and_long_names() {
 
 #[test]
 fn a_wrong_command_line_is_wrong_input() {
-    let bench = Bench::with_net();
-    let before = bench.listing();
+    let workbench = Workbench::with_net();
+    let before = workbench.listing();
     for (arguments, said) in [
         (&["chck", "net.toml"][..], "'check'"),
         (&["run"], "<SCENARIO>"),
@@ -64,16 +64,37 @@ fn a_wrong_command_line_is_wrong_input() {
         (&["init", "sqare"], "square"),
         (&["report"], "<DIR>"),
     ] {
-        let ended = bench.netcast(arguments);
+        let ended = workbench.netcast(arguments);
         assert_eq!(ended.status, 2, "{arguments:?}");
         assert!(ended.stderr.contains(said), "{arguments:?}: {}", ended.stderr);
         assert_eq!(ended.stdout, "");
     }
-    assert!(bench.listing() == before, "something was written");
+    assert!(workbench.listing() == before, "something was written");
 }
 
 #[test]
 fn the_version_is_the_packages() {
-    let ended = Bench::new(&[]).succeed(&["--version"]);
+    let ended = Workbench::new(&[]).succeed(&["--version"]);
     assert_eq!(ended.stdout, format!("netcast {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+/// `netcast schema | head -1` ended in a panic.
+#[test]
+fn a_reader_that_has_gone_is_no_error() {
+    let workbench = Workbench::with_net();
+    for arguments in [&["schema"][..], &["check", "net.toml"], &["run", "net.toml", "--json"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let ended: Ended = workbench.command(arguments).stdout(writer).output().unwrap().into();
+        assert_eq!((ended.status, &ended.stderr[..]), (0, ""), "{arguments:?}");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_is_full_is_told() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let ended: Ended = Workbench::new(&[]).command(&["schema"]).stdout(full).output().unwrap().into();
+    assert_eq!(ended.status, 1);
+    assert!(ended.stderr.contains("cannot write to standard output"), "{}", ended.stderr);
 }

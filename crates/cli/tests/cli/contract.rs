@@ -1,6 +1,6 @@
 //! The scenario of the contract with our users, word for word, runs.
 
-use crate::bench::Bench;
+use crate::workbench::Workbench;
 
 /// As it stands in the contract; the scenario crate's tests read the same file.
 const SCENARIO: &str = include_str!("../../../scenario/tests/contract.toml");
@@ -14,9 +14,11 @@ const SUMMARY: &str = r#"{
               "effective_from_s": null, "effective_to_s": null, "effective_duration_s": 0.0,
               "tractor_area_max_m2": 0.0, "tractor_area_max_time_s": 0.0},
   "points":  {"A": {"peak_speed_m_s": 0.0, "peak_speed_time_s": 0.0, "peak_travel_m": 0.0, "peak_travel_time_s": 0.0,
-                    "peak_height_m": 0.0, "starts_s": 0.0}, "B": {}, "C": {}, "D": {}, "tractor": {}, "corner": {}, "centre": {}},
+                    "peak_height_m": 0.0, "starts_s": 0.0},
+              "B": {}, "C": {}, "D": {}, "tractor": {}, "corner": {}, "centre": {}},
   "tension": {"max_n": 0.0, "max_time_s": 0.0, "max_where": "traction", "bottom_max_n": 0.0, "bottom_mean_n": null,
-              "by_class": {"traction": {"max_n": 0.0, "max_time_s": 0.0, "margin": null}, "outline": {}, "ring": {}, "radial": {}}},
+              "by_class": {"traction": {"max_n": 0.0, "max_time_s": 0.0, "margin": null},
+                           "outline": {}, "ring": {}, "radial": {}}},
   "posture": {"concave_from_s": null, "concave_to_s": null, "convex_from_s": null},
   "energy":  {"initial_j": 0.0, "final_j": 0.0, "closure": 0.0, "closure_web": 0.0, "channels": {}}
 }"#;
@@ -38,9 +40,9 @@ fn assert_has(expected: &serde_json::Value, found: &serde_json::Value, path: &st
 
 #[test]
 fn the_scenario_of_the_contract_runs_and_its_summary_has_every_key() {
-    let bench = Bench::new(&[("space_web.toml", SCENARIO)]);
-    bench.succeed(&["run", "space_web.toml", "--quiet", "--set", "solve.duration=20 ms"]);
-    let summary = bench.summary("results/space_web");
+    let workbench = Workbench::new(&[("space_web.toml", SCENARIO)]);
+    workbench.succeed(&["run", "space_web.toml", "--quiet", "--set", "solve.duration=20 ms"]);
+    let summary = workbench.summary("results/space_web");
     assert_has(&serde_json::from_str(SUMMARY).unwrap(), &summary, "summary");
     assert_eq!(summary["title"], "The space web, launched as in the paper");
     assert_eq!(summary["finished"], true);

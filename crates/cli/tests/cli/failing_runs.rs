@@ -1,6 +1,6 @@
 //! Runs that fail on the way: status 3, what was computed is kept, and the message says what to do.
 
-use crate::bench::{Bench, Ended};
+use crate::workbench::{Ended, Workbench};
 
 /// Undamped ropes at a step near the stability limit: energy grows at every slack-taut event until it overflows.
 const DIVERGES: [&str; 4] = ["--set", "rope.damping_ratio=0", "--set", "solve.step_fraction=0.99"];
@@ -8,9 +8,9 @@ const DIVERGES: [&str; 4] = ["--set", "rope.damping_ratio=0", "--set", "solve.st
 /// A step that is too large for the energy balance, though not for a run to its end.
 const MISSES_BALANCE: [&str; 4] = ["--set", "solve.step_fraction=0.99", "--set", "solve.energy_tolerance=1e-5"];
 
-fn run(bench: &Bench, more: &[&str]) -> Ended {
+fn run(workbench: &Workbench, more: &[&str]) -> Ended {
     let arguments: Vec<&str> = ["run", "net.toml"].iter().chain(more).copied().collect();
-    bench.netcast(&arguments)
+    workbench.netcast(&arguments)
 }
 
 /// The override that a message offers.
@@ -20,72 +20,73 @@ fn offered(message: &str) -> &str {
 }
 
 #[track_caller]
-fn assert_readable(bench: &Bench, folder: &str) {
-    for file in ["summary.json", "history.csv", "fields.vtkhdf", "report.html", "manifest.json", "inputs/scenario.toml"] {
-        assert!(bench.path(folder).join(file).is_file(), "{file}");
+fn assert_readable(workbench: &Workbench, folder: &str) {
+    for file in ["summary.json", "history.csv", "fields.vtkhdf", "report.html", "manifest.json", "inputs/scenario.toml"]
+    {
+        assert!(workbench.path(folder).join(file).is_file(), "{file}");
     }
-    let history = bench.read(&format!("{folder}/history.csv"));
+    let history = workbench.read(&format!("{folder}/history.csv"));
     for cell in history.lines().skip(1).flat_map(|line| line.split(',')) {
         assert!(cell.is_empty() || cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell:?}");
     }
-    bench.succeed(&["report", folder]);
+    workbench.succeed(&["report", folder]);
 }
 
 /// It ended with status 1, "a number under `opening` of the summary is not finite", and kept nothing.
 #[test]
 fn a_run_that_diverges_keeps_what_it_had_and_says_what_to_do() {
-    let bench = Bench::with_net();
+    let workbench = Workbench::with_net();
     let long = ["--set", "solve.duration=0.6 s", "--set", "record.every=20 ms"];
-    let ended = run(&bench, &[&DIVERGES[..], &long].concat());
+    let ended = run(&workbench, &[&DIVERGES[..], &long].concat());
     assert_eq!(ended.status, 3, "{}", ended.stderr);
     assert!(ended.stderr.contains("the run failed"), "{}", ended.stderr);
     assert!(ended.stderr.contains("what was computed is in"), "{}", ended.stderr);
     assert!(ended.stdout.contains("The run stopped before its end"), "{}", ended.stdout);
-    assert_readable(&bench, "results/net");
-    let summary = bench.summary("results/net");
+    assert_readable(&workbench, "results/net");
+    let summary = workbench.summary("results/net");
     assert_eq!(summary["finished"], false);
     assert!(!summary["warnings"].as_array().unwrap().is_empty());
 
     // the step that it offers resolves the motion
-    let better = run(&bench, &["--set", "rope.damping_ratio=0", "--set", offered(&ended.stderr), "--quiet"]);
-    assert_eq!(bench.summary("results/net")["finished"], true, "{}", better.stderr);
+    let better = run(&workbench, &["--set", "rope.damping_ratio=0", "--set", offered(&ended.stderr), "--quiet"]);
+    assert_eq!(workbench.summary("results/net")["finished"], true, "{}", better.stderr);
 }
 
 #[test]
 fn a_run_that_misses_its_balance_fails_and_its_advice_mends_it() {
-    let bench = Bench::with_net();
-    let ended = run(&bench, &MISSES_BALANCE);
+    let workbench = Workbench::with_net();
+    let ended = run(&workbench, &MISSES_BALANCE);
     assert_eq!(ended.status, 3, "{}{}", ended.stdout, ended.stderr);
     assert!(ended.stderr.contains("the energy balance misses its tolerance"), "{}", ended.stderr);
     assert!(ended.stderr.contains("or accept it with --set solve.on_energy_error=flag"), "{}", ended.stderr);
     assert!(ended.stdout.contains("do not trust these numbers"), "{}", ended.stdout);
     // said once, at the end
     assert!(!ended.stdout.contains("misses its tolerance"), "{}", ended.stdout);
-    assert_readable(&bench, "results/net");
+    assert_readable(&workbench, "results/net");
     // it came to its end, only not well
-    assert_eq!(bench.summary("results/net")["finished"], true);
+    assert_eq!(workbench.summary("results/net")["finished"], true);
 
-    let mended = run(&bench, &[&MISSES_BALANCE[..], &["--quiet", "--set", offered(&ended.stderr)]].concat());
+    let mended = run(&workbench, &[&MISSES_BALANCE[..], &["--quiet", "--set", offered(&ended.stderr)]].concat());
     assert_eq!(mended.status, 0, "{}", mended.stderr);
 }
 
 #[test]
 fn a_run_that_misses_its_balance_is_flagged_where_the_scenario_says_so() {
-    let bench = Bench::with_net();
-    let ended = run(&bench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag"]].concat());
+    let workbench = Workbench::with_net();
+    let ended = run(&workbench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag"]].concat());
     assert_eq!(ended.status, 0, "{}", ended.stderr);
     assert!(ended.stdout.contains("note: the energy balance misses its tolerance"), "{}", ended.stdout);
-    let summary = bench.summary("results/net");
+    let summary = workbench.summary("results/net");
     let warnings = summary["warnings"].as_array().unwrap();
     assert!(warnings.iter().any(|w| w.as_str().unwrap().contains("misses its tolerance")), "{warnings:?}");
 }
 
 #[test]
 fn json_of_a_failed_run_is_its_summary_all_the_same() {
-    let bench = Bench::with_net();
-    let ended = run(&bench, &[&MISSES_BALANCE[..], &["--json"]].concat());
+    let workbench = Workbench::with_net();
+    let ended = run(&workbench, &[&MISSES_BALANCE[..], &["--json"]].concat());
     assert_eq!(ended.status, 3);
-    assert_eq!(ended.stdout, bench.read("results/net/summary.json"));
+    assert_eq!(ended.stdout, workbench.read("results/net/summary.json"));
 }
 
 /// SIGTERM left a hidden folder behind, and no result.
@@ -96,12 +97,12 @@ fn a_run_that_is_interrupted_or_killed_keeps_what_it_had() {
     use std::time::{Duration, Instant};
 
     for signal in ["-INT", "-TERM"] {
-        let bench = Bench::with_net();
-        let mut command = bench.command(&["run", "net.toml", "--set", "solve.duration=500 s"]);
+        let workbench = Workbench::with_net();
+        let mut command = workbench.command(&["run", "net.toml", "--set", "solve.duration=500 s"]);
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         // it listens before it makes its folder
         let patience = Instant::now() + Duration::from_secs(60);
-        while !bench.path("results").exists() {
+        while !workbench.path("results").exists() {
             assert!(Instant::now() < patience, "no run begins");
             std::thread::sleep(Duration::from_millis(10));
         }
@@ -109,8 +110,12 @@ fn a_run_that_is_interrupted_or_killed_keeps_what_it_had() {
         let ended: Ended = child.wait_with_output().unwrap().into();
         assert_eq!(ended.status, 3, "{signal}: {}", ended.stderr);
         assert!(ended.stderr.contains("interrupted at"), "{signal}: {}", ended.stderr);
-        assert_eq!(bench.summary("results/net")["finished"], false);
-        assert_readable(&bench, "results/net");
-        assert_eq!(std::fs::read_dir(bench.path("results")).unwrap().count(), 1, "nothing is left beside the result");
+        assert_eq!(workbench.summary("results/net")["finished"], false);
+        assert_readable(&workbench, "results/net");
+        assert_eq!(
+            std::fs::read_dir(workbench.path("results")).unwrap().count(),
+            1,
+            "nothing is left beside the result"
+        );
     }
 }

@@ -1,6 +1,5 @@
 //! The `netcast` command as a user meets it: what it prints, what it writes, how it ends.
 
-mod bench;
 mod command_line;
 mod contract;
 mod failing_runs;
@@ -8,4 +7,5 @@ mod other_commands;
 mod overrides;
 mod result_folder;
 mod same_bits;
+mod workbench;
 mod wrong_inputs;

@@ -2,18 +2,19 @@
 
 use std::fs;
 
-use crate::bench::{Bench, SMALL_NET};
+use crate::workbench::{SMALL_NET, Workbench};
 
 const KINDS: [&str; 6] = ["space", "traditional", "topological", "square", "graph", "held"];
 
 #[test]
 fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
-    let bench = Bench::with_net();
-    let before = bench.listing();
-    let said = bench.succeed(&["check", "net.toml"]).stdout;
-    assert!(bench.listing() == before, "something was written");
+    let workbench = Workbench::with_net();
+    let before = workbench.listing();
+    let said = workbench.succeed(&["check", "net.toml"]).stdout;
+    assert!(workbench.listing() == before, "something was written");
     let value = |name: &str| {
-        let row = said.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_else(|| panic!("{name}: {said}"));
+        let row =
+            said.lines().find(|line| line.trim_start().starts_with(name)).unwrap_or_else(|| panic!("{name}: {said}"));
         row.trim_start()[name.len()..].trim().to_owned()
     };
     // ten lines of 2 m; 1140 kg/m^3 and 3 mm: 8.058 g a metre
@@ -31,51 +32,51 @@ fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
     let step: Vec<&str> = said.lines().filter(|line| line.contains("which segment")).collect();
     assert_eq!(step.len(), 1, "{said}");
     // what it says of the steps is what a run takes
-    bench.succeed(&["run", "net.toml", "--quiet"]);
-    let count = bench.summary("results/net")["step"]["count"].to_string();
+    workbench.succeed(&["run", "net.toml", "--quiet"]);
+    let count = workbench.summary("results/net")["step"]["count"].to_string();
     assert_eq!(value("steps"), format!("{count} for 0.05000 s"));
 }
 
 #[test]
 fn a_choice_made_for_the_user_is_said() {
     let net = SMALL_NET.replace("segments_per_mesh = 2\n", "");
-    let bench = Bench::new(&[("net.toml", &net)]);
-    let said = bench.succeed(&["check", "net.toml"]).stdout;
+    let workbench = Workbench::new(&[("net.toml", &net)]);
+    let said = workbench.succeed(&["check", "net.toml"]).stdout;
     assert!(said.contains("note: ropes are cut into segments of about"), "{said}");
-    bench.succeed(&["run", "net.toml", "--quiet"]);
-    assert!(bench.summary("results/net")["warnings"].to_string().contains("segments of about"));
+    workbench.succeed(&["run", "net.toml", "--quiet"]);
+    assert!(workbench.summary("results/net")["warnings"].to_string().contains("segments of about"));
 }
 
 #[test]
 fn a_stowed_web_can_be_written_changed_and_run() {
-    let bench = Bench::with_net();
+    let workbench = Workbench::with_net();
     let bag = ["--set", "stow={bag={radius=\"0.2 m\"}}"];
-    let said = bench.succeed(&[&["stow", "net.toml", "--write", "stowed.csv"][..], &bag].concat()).stdout;
+    let said = workbench.succeed(&[&["stow", "net.toml", "--write", "stowed.csv"][..], &bag].concat()).stdout;
     for audit in ["longest stretch", "stored energy    0 J", "packed size      radius 0.2000 m"] {
         assert!(said.contains(audit), "{audit}: {said}");
     }
-    let rows = bench.read("stowed.csv");
+    let rows = workbench.read("stowed.csv");
     assert_eq!(rows.lines().next(), Some("id,x,y,z"));
     assert_eq!(rows.lines().count(), 1 + 65);
 
-    bench.succeed(&[&["run", "net.toml", "--quiet", "--out", "bag"][..], &bag].concat());
-    bench.succeed(&["run", "net.toml", "--quiet", "--out", "file", "--set", "stow={file={path=\"stowed.csv\"}}"]);
+    workbench.succeed(&[&["run", "net.toml", "--quiet", "--out", "bag"][..], &bag].concat());
+    workbench.succeed(&["run", "net.toml", "--quiet", "--out", "file", "--set", "stow={file={path=\"stowed.csv\"}}"]);
     for file in ["history.csv", "fields.vtkhdf"] {
-        let [bag, from_file] = ["bag", "file"].map(|folder| fs::read(bench.path(folder).join(file)).unwrap());
+        let [bag, from_file] = ["bag", "file"].map(|folder| fs::read(workbench.path(folder).join(file)).unwrap());
         assert!(bag == from_file, "{file}");
     }
-    assert!(bench.path("file/inputs/stowed.csv").is_file());
+    assert!(workbench.path("file/inputs/stowed.csv").is_file());
 }
 
 /// Positions are those of the launch frame, whichever way the launch points.
 #[test]
 fn a_stow_file_does_not_depend_on_the_launch() {
-    let bench = Bench::with_net();
+    let workbench = Workbench::with_net();
     let tilted = ["--set", "launch.elevation=30 deg", "--set", "launch.azimuth=70 deg"];
-    bench.succeed(&["stow", "net.toml", "--write", "up.csv"]);
-    bench.succeed(&[&["stow", "net.toml", "--write", "tilted.csv"][..], &tilted].concat());
+    workbench.succeed(&["stow", "net.toml", "--write", "up.csv"]);
+    workbench.succeed(&[&["stow", "net.toml", "--write", "tilted.csv"][..], &tilted].concat());
     let numbers = |file: &str| -> Vec<f64> {
-        let text = bench.read(file);
+        let text = workbench.read(file);
         text.lines().skip(1).flat_map(|line| line.split(',').skip(1)).map(|cell| cell.parse().unwrap()).collect()
     };
     for (up, tilted) in numbers("up.csv").into_iter().zip(numbers("tilted.csv")) {
@@ -85,27 +86,27 @@ fn a_stow_file_does_not_depend_on_the_launch() {
 
 #[test]
 fn a_stow_file_that_cannot_be_written_is_named() {
-    let ended = Bench::with_net().netcast(&["stow", "net.toml", "--write", "no/such/folder.csv"]);
+    let ended = Workbench::with_net().netcast(&["stow", "net.toml", "--write", "no/such/folder.csv"]);
     assert_eq!(ended.status, 2);
     assert!(ended.stderr.contains("cannot write no/such/folder.csv"), "{}", ended.stderr);
 }
 
 #[test]
 fn every_kind_of_start_can_be_checked_and_run() {
-    let bench = Bench::new(&[]);
+    let workbench = Workbench::new(&[]);
     for kind in KINDS {
         let file = format!("{kind}/{kind}.toml");
-        let said = bench.succeed(&["init", kind, "--out", &file]).stdout;
+        let said = workbench.succeed(&["init", kind, "--out", &file]).stdout;
         assert!(said.contains(&format!("next: netcast run {file}")), "{said}");
-        bench.succeed(&["check", &file]);
-        bench.succeed(&["run", &file, "--quiet", "--set", "solve.duration=2 ms"]);
-        assert_eq!(bench.summary(&format!("results/{kind}"))["finished"], true);
+        workbench.succeed(&["check", &file]);
+        workbench.succeed(&["run", &file, "--quiet", "--set", "solve.duration=2 ms"]);
+        assert_eq!(workbench.summary(&format!("results/{kind}"))["finished"], true);
         // commented: a line of comment for every three of the rest at least
-        let text = bench.read(&file);
+        let text = workbench.read(&file);
         let (comments, lines) = (text.matches('#').count(), text.lines().filter(|line| !line.is_empty()).count());
         assert!(4 * comments >= lines, "{file}: {comments} comments in {lines} lines");
     }
-    let help = bench.succeed(&["init", "--help"]).stdout;
+    let help = workbench.succeed(&["init", "--help"]).stdout;
     for kind in KINDS {
         assert!(help.contains(&format!("- {kind}:")), "{help}");
     }
@@ -113,49 +114,50 @@ fn every_kind_of_start_can_be_checked_and_run() {
 
 #[test]
 fn init_overwrites_nothing() {
-    let bench = Bench::new(&[("nodes.csv", "mine")]);
-    let before = bench.listing();
-    let ended = bench.netcast(&["init", "graph"]);
+    let workbench = Workbench::new(&[("nodes.csv", "mine")]);
+    let before = workbench.listing();
+    let ended = workbench.netcast(&["init", "graph"]);
     assert_eq!(ended.status, 2);
     assert!(ended.stderr.contains("nodes.csv exists already"), "{}", ended.stderr);
-    assert!(bench.listing() == before, "something was written");
-    bench.succeed(&["init", "held"]);
-    let before = bench.listing();
-    assert_eq!(bench.netcast(&["init", "space"]).status, 2);
-    assert!(bench.listing() == before, "something was written");
+    assert!(workbench.listing() == before, "something was written");
+    workbench.succeed(&["init", "held"]);
+    let before = workbench.listing();
+    assert_eq!(workbench.netcast(&["init", "space"]).status, 2);
+    assert!(workbench.listing() == before, "something was written");
 }
 
 #[test]
 fn a_report_is_written_anew_from_the_results_alone() {
-    let bench = Bench::with_net();
-    bench.succeed(&["run", "net.toml", "--quiet"]);
-    let page = bench.read("results/net/report.html");
-    fs::remove_file(bench.path("results/net/report.html")).unwrap();
-    fs::rename(bench.path("results/net"), bench.path("moved")).unwrap();
-    let said = bench.succeed(&["report", "moved"]).stdout;
+    let workbench = Workbench::with_net();
+    workbench.succeed(&["run", "net.toml", "--quiet"]);
+    let page = workbench.read("results/net/report.html");
+    fs::remove_file(workbench.path("results/net/report.html")).unwrap();
+    fs::rename(workbench.path("results/net"), workbench.path("moved")).unwrap();
+    let said = workbench.succeed(&["report", "moved"]).stdout;
     assert!(said.contains("report.html"), "{said}");
-    assert!(bench.read("moved/report.html") == page, "the report differs from that of the run");
+    assert!(workbench.read("moved/report.html") == page, "the report differs from that of the run");
 }
 
 #[test]
 fn a_folder_without_results_has_no_report() {
-    let bench = Bench::with_net();
-    let before = bench.listing();
+    let workbench = Workbench::with_net();
+    let before = workbench.listing();
     for folder in [".", "nowhere", "net.toml"] {
-        let ended = bench.netcast(&["report", folder]);
+        let ended = workbench.netcast(&["report", folder]);
         assert_eq!(ended.status, 2, "{folder}");
         assert!(ended.stderr.contains("summary.json"), "{}", ended.stderr);
         assert!(ended.stderr.contains("`netcast run`"), "{}", ended.stderr);
     }
-    assert!(bench.listing() == before, "something was written");
+    assert!(workbench.listing() == before, "something was written");
 }
 
 #[test]
 fn the_schema_knows_every_key_of_a_scenario() {
-    let text = Bench::new(&[]).succeed(&["schema"]).stdout;
+    let text = Workbench::new(&[]).succeed(&["schema"]).stdout;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
-    for key in ["title", "web", "rope", "ropes", "assign", "canopy", "payload", "traction_rope", "tractor", "tractors"] {
+    for key in ["title", "web", "rope", "ropes", "assign", "canopy", "payload", "traction_rope", "tractor", "tractors"]
+    {
         assert!(schema["properties"][key]["description"].is_string(), "{key}");
     }
     for key in ["stow", "launch", "environment", "solve", "record", "hold", "points"] {

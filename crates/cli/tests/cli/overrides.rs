@@ -1,38 +1,39 @@
 //! `--set`: any value of the scenario, from the command line.
 
-use crate::bench::Bench;
+use crate::workbench::Workbench;
 
 #[test]
 fn an_override_is_run_and_kept() {
-    let bench = Bench::with_net();
-    let set = ["--set", "launch.axial_speed=\"30 m/s\"", "--set", "launch.radial_speed=0", "--set", "environment.gravity=0"];
+    let workbench = Workbench::with_net();
+    let set =
+        ["--set", "launch.axial_speed=\"30 m/s\"", "--set", "launch.radial_speed=0", "--set", "environment.gravity=0"];
     let mut arguments = vec!["run", "net.toml", "--quiet"];
     arguments.extend(set);
-    bench.succeed(&arguments);
+    workbench.succeed(&arguments);
     // free of weight and of pull at the start: the masses start at 30 m/s, and nothing drives them on
-    let tractor = &bench.summary("results/net")["points"]["tractor"];
+    let tractor = &workbench.summary("results/net")["points"]["tractor"];
     assert!((tractor["peak_speed_m_s"].as_f64().unwrap() - 30.0).abs() < 1e-9, "{tractor}");
-    assert!(bench.read("results/net/inputs/scenario.toml").contains("30"));
+    assert!(workbench.read("results/net/inputs/scenario.toml").contains("30"));
 }
 
 #[test]
 fn a_whole_variant_can_be_replaced() {
-    let bench = Bench::with_net();
-    bench.succeed(&["run", "net.toml", "--quiet", "--set", "stow={bag={radius=\"0.2 m\"}}"]);
-    assert!(bench.read("results/net/inputs/scenario.toml").contains("[stow.bag]"));
+    let workbench = Workbench::with_net();
+    workbench.succeed(&["run", "net.toml", "--quiet", "--set", "stow={bag={radius=\"0.2 m\"}}"]);
+    assert!(workbench.read("results/net/inputs/scenario.toml").contains("[stow.bag]"));
 }
 
 #[test]
 fn the_last_of_two_overrides_counts() {
-    let bench = Bench::with_net();
-    bench.succeed(&["run", "net.toml", "--quiet", "--set", "title=first", "--set", "title=second"]);
-    assert_eq!(bench.summary("results/net")["title"], "second");
+    let workbench = Workbench::with_net();
+    workbench.succeed(&["run", "net.toml", "--quiet", "--set", "title=first", "--set", "title=second"]);
+    assert_eq!(workbench.summary("results/net")["title"], "second");
 }
 
 #[test]
 fn wrong_overrides_are_shown_as_they_were_given_and_nothing_is_written() {
-    let bench = Bench::with_net();
-    let before = bench.listing();
+    let workbench = Workbench::with_net();
+    let before = workbench.listing();
     for (set, said) in [
         ("launch.axal_speed=60 m/s", "did you mean `axial_speed`?"),
         ("lunch.axial_speed=60 m/s", "did you mean `launch`?"),
@@ -46,11 +47,11 @@ fn wrong_overrides_are_shown_as_they_were_given_and_nothing_is_written() {
         ("tractors.0.corner=1.5", "corner"),
         ("solve.duration=-1 s", "greater than 0"),
     ] {
-        let ended = bench.netcast(&["run", "net.toml", "--set", set]);
+        let ended = workbench.netcast(&["run", "net.toml", "--set", set]);
         assert_eq!(ended.status, 2, "{set}: {}", ended.stderr);
         assert!(ended.stderr.contains(said), "{set}: {}", ended.stderr);
         assert!(ended.stderr.contains(&format!("in --set {set}")), "{set}: {}", ended.stderr);
         assert!(ended.stderr.contains("nothing was written"), "{set}: {}", ended.stderr);
     }
-    assert!(bench.listing() == before, "something was written");
+    assert!(workbench.listing() == before, "something was written");
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, Ended, listing};
+use crate::workbench::{Ended, Workbench, listing};
 
 const FILES: [&str; 8] = [
     "fields.vtkhdf",
@@ -17,24 +17,24 @@ const FILES: [&str; 8] = [
 
 #[test]
 fn a_run_writes_the_files_of_the_contract_and_no_other() {
-    let bench = Bench::with_net();
-    let ended = bench.succeed(&["run", "net.toml"]);
-    let found = listing(&bench.path("results"));
+    let workbench = Workbench::with_net();
+    let ended = workbench.succeed(&["run", "net.toml"]);
+    let found = listing(&workbench.path("results"));
     let mut expected: Vec<String> = FILES.iter().map(|file| format!("net/{file}")).collect();
     expected.sort();
     assert_eq!(found.keys().cloned().collect::<Vec<_>>(), expected);
-    assert_eq!(bench.listing().len(), 2 + expected.len(), "net.toml, results/ and the result");
+    assert_eq!(workbench.listing().len(), 2 + expected.len(), "net.toml, results/ and the result");
 
     assert!(ended.stdout.starts_with("A small net\n  Opens to "), "{}", ended.stdout);
     assert!(ended.stdout.contains("report.html"), "{}", ended.stdout);
     // no bar where standard error is no terminal
     assert_eq!(ended.stderr, "");
 
-    let manifest: serde_json::Value = serde_json::from_str(&bench.read("results/net/manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&workbench.read("results/net/manifest.json")).unwrap();
     for key in ["version", "revision", "input_hash", "machine", "threads", "seed", "wall_time_s"] {
         assert!(manifest.get(key).is_some(), "{key}: {manifest}");
     }
-    let page = bench.read("results/net/report.html");
+    let page = workbench.read("results/net/report.html");
     for outside in ["<script src", "<link", "<img", "<iframe", "@import"] {
         assert!(!page.contains(outside), "the report needs the network: {outside}");
     }
@@ -42,9 +42,9 @@ fn a_run_writes_the_files_of_the_contract_and_no_other() {
 
 #[test]
 fn history_has_a_row_a_record_and_the_columns_of_the_contract() {
-    let bench = Bench::with_net();
-    bench.succeed(&["run", "net.toml", "--quiet"]);
-    let history = bench.read("results/net/history.csv");
+    let workbench = Workbench::with_net();
+    workbench.succeed(&["run", "net.toml", "--quiet"]);
+    let history = workbench.read("results/net/history.csv");
     let mut lines = history.lines();
     let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert_eq!(
@@ -60,7 +60,9 @@ fn history_has_a_row_a_record_and_the_columns_of_the_contract() {
             "tension_max_n"
         ]
     );
-    for column in ["B_x_m", "B_y_m", "B_z_m", "B_travel_m", "B_speed_m_s", "B_tension_n", "outline_mean_n", "inner_max_n"] {
+    for column in
+        ["B_x_m", "B_y_m", "B_z_m", "B_travel_m", "B_speed_m_s", "B_tension_n", "outline_mean_n", "inner_max_n"]
+    {
         assert!(columns.contains(&column), "{column}: {columns:?}");
     }
     let times: Vec<f64> = lines.map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
@@ -71,7 +73,7 @@ fn history_has_a_row_a_record_and_the_columns_of_the_contract() {
     // stowed at a quarter: a sixteenth of 4 m^2, and corner masses of 0.3 kg
     let first: Vec<&str> = history.lines().nth(1).unwrap().split(',').collect();
     assert!((first[1].parse::<f64>().unwrap() - 0.25).abs() < 1e-12, "{first:?}");
-    let summary = bench.summary("results/net");
+    let summary = workbench.summary("results/net");
     assert!((summary["opening"]["reference_area_m2"].as_f64().unwrap() - 4.0).abs() < 1e-12);
     assert!((summary["model"]["tractor_mass_kg"].as_f64().unwrap() - 1.2).abs() < 1e-12);
     // 4 meshes a side: 2 x 5 lines of 2 m
@@ -81,40 +83,40 @@ fn history_has_a_row_a_record_and_the_columns_of_the_contract() {
 
 #[test]
 fn json_is_the_summary_and_nothing_else() {
-    let bench = Bench::with_net();
-    let Ended { stdout, stderr, .. } = bench.succeed(&["run", "net.toml", "--json"]);
-    assert_eq!(stdout, bench.read("results/net/summary.json"));
+    let workbench = Workbench::with_net();
+    let Ended { stdout, stderr, .. } = workbench.succeed(&["run", "net.toml", "--json"]);
+    assert_eq!(stdout, workbench.read("results/net/summary.json"));
     assert_eq!(stderr, "");
-    let quiet = bench.succeed(&["run", "net.toml", "--json", "--quiet", "--out", "other"]);
-    assert_eq!(quiet.stdout, bench.read("other/summary.json"));
+    let quiet = workbench.succeed(&["run", "net.toml", "--json", "--quiet", "--out", "other"]);
+    assert_eq!(quiet.stdout, workbench.read("other/summary.json"));
 }
 
 #[test]
 fn quiet_is_quiet() {
-    let bench = Bench::with_net();
-    let ended = bench.succeed(&["run", "net.toml", "--quiet"]);
+    let workbench = Workbench::with_net();
+    let ended = workbench.succeed(&["run", "net.toml", "--quiet"]);
     assert_eq!((ended.stdout, ended.stderr), (String::new(), String::new()));
-    assert!(bench.path("results/net/summary.json").is_file());
+    assert!(workbench.path("results/net/summary.json").is_file());
 }
 
 #[test]
 fn a_run_replaces_its_own_result_as_a_whole() {
-    let bench = Bench::with_net();
-    bench.succeed(&["run", "net.toml", "--quiet"]);
-    fs::write(bench.path("results/net/of_the_first_run"), "").unwrap();
-    bench.succeed(&["run", "net.toml", "--quiet", "--set", "title=second"]);
-    assert_eq!(bench.summary("results/net")["title"], "second");
-    assert!(!bench.path("results/net/of_the_first_run").exists());
-    assert_eq!(fs::read_dir(bench.path("results")).unwrap().count(), 1, "nothing is left beside the result");
+    let workbench = Workbench::with_net();
+    workbench.succeed(&["run", "net.toml", "--quiet"]);
+    fs::write(workbench.path("results/net/of_the_first_run"), "").unwrap();
+    workbench.succeed(&["run", "net.toml", "--quiet", "--set", "title=second"]);
+    assert_eq!(workbench.summary("results/net")["title"], "second");
+    assert!(!workbench.path("results/net/of_the_first_run").exists());
+    assert_eq!(fs::read_dir(workbench.path("results")).unwrap().count(), 1, "nothing is left beside the result");
 }
 
 #[test]
 fn what_netcast_did_not_write_is_refused_and_stays() {
-    let bench = Bench::with_net();
-    fs::create_dir_all(bench.path("thesis")).unwrap();
-    fs::write(bench.path("thesis/chapter.tex"), "years of work").unwrap();
-    fs::create_dir_all(bench.path("empty")).unwrap();
-    let before = bench.listing();
+    let workbench = Workbench::with_net();
+    fs::create_dir_all(workbench.path("thesis")).unwrap();
+    fs::write(workbench.path("thesis/chapter.tex"), "years of work").unwrap();
+    fs::create_dir_all(workbench.path("empty")).unwrap();
+    let before = workbench.listing();
     for (out, said) in [
         ("thesis", "not written by netcast"),
         ("thesis/chapter.tex", "is a file"),
@@ -122,19 +124,19 @@ fn what_netcast_did_not_write_is_refused_and_stays() {
         (".", "is the current folder"),
         ("..", "is the current folder or holds it"),
     ] {
-        let ended = bench.netcast(&["run", "net.toml", "--out", out]);
+        let ended = workbench.netcast(&["run", "net.toml", "--out", out]);
         assert_eq!(ended.status, 2, "{out}: {}", ended.stderr);
         assert!(ended.stderr.contains(said), "{out}: {}", ended.stderr);
     }
-    assert!(bench.listing() == before, "something was written");
-    bench.succeed(&["run", "net.toml", "--quiet", "--out", "empty"]);
-    assert!(bench.path("empty/summary.json").is_file());
+    assert!(workbench.listing() == before, "something was written");
+    workbench.succeed(&["run", "net.toml", "--quiet", "--out", "empty"]);
+    assert!(workbench.path("empty/summary.json").is_file());
 }
 
 #[test]
 #[cfg(target_os = "linux")]
 fn a_folder_that_cannot_be_made_is_wrong_input_and_is_named_as_it_was_asked_for() {
-    let ended = Bench::with_net().netcast(&["run", "net.toml", "--out", "/proc/results"]);
+    let ended = Workbench::with_net().netcast(&["run", "net.toml", "--out", "/proc/results"]);
     assert_eq!(ended.status, 2, "{}", ended.stderr);
     assert!(ended.stderr.contains("cannot make the folder /proc/results:"), "{}", ended.stderr);
 }

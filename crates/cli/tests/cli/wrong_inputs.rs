@@ -2,19 +2,19 @@
 
 use std::fs;
 
-use crate::bench::{Bench, GRAPH_NET, NODES, ROPES, SMALL_NET};
+use crate::workbench::{GRAPH_NET, NODES, ROPES, SMALL_NET, Workbench};
 
-/// Runs `net.toml` of `bench`, which must be refused; the message.
-fn refused(bench: &Bench) -> String {
-    let before = bench.listing();
-    let ended = bench.netcast(&["run", "net.toml"]);
+/// Runs `net.toml` of `workbench`, which must be refused; the message.
+fn refused(workbench: &Workbench) -> String {
+    let before = workbench.listing();
+    let ended = workbench.netcast(&["run", "net.toml"]);
     assert_eq!(ended.status, 2, "{}{}", ended.stdout, ended.stderr);
     assert_eq!(ended.stdout, "");
-    assert!(bench.listing() == before, "something was written");
+    assert!(workbench.listing() == before, "something was written");
     assert!(ended.stderr.trim_end().ends_with("nothing was written"), "{}", ended.stderr);
     // what reads the scenario refuses it too
     for command in ["check", "stow"] {
-        assert_eq!(bench.netcast(&[command, "net.toml"]).status, 2, "netcast {command}");
+        assert_eq!(workbench.netcast(&[command, "net.toml"]).status, 2, "netcast {command}");
     }
     ended.stderr
 }
@@ -23,17 +23,18 @@ fn refused(bench: &Bench) -> String {
 #[track_caller]
 fn net_with(from: &str, to: &str) -> String {
     assert!(SMALL_NET.contains(from), "{from}");
-    refused(&Bench::new(&[("net.toml", &SMALL_NET.replacen(from, to, 1))]))
+    refused(&Workbench::new(&[("net.toml", &SMALL_NET.replacen(from, to, 1))]))
 }
 
 /// The graph net with one passage changed in one of its files, which must be refused.
 #[track_caller]
 fn graph_with(file: &str, from: &str, to: &str) -> String {
-    let mut files = [("net.toml", GRAPH_NET.to_owned()), ("nodes.csv", NODES.to_owned()), ("ropes.csv", ROPES.to_owned())];
+    let mut files =
+        [("net.toml", GRAPH_NET.to_owned()), ("nodes.csv", NODES.to_owned()), ("ropes.csv", ROPES.to_owned())];
     let text = &mut files.iter_mut().find(|(name, _)| *name == file).unwrap().1;
     assert!(text.contains(from), "{from}");
     *text = text.replacen(from, to, 1);
-    refused(&Bench::new(&files.each_ref().map(|(name, text)| (*name, &text[..]))))
+    refused(&Workbench::new(&files.each_ref().map(|(name, text)| (*name, &text[..]))))
 }
 
 #[track_caller]
@@ -50,7 +51,7 @@ fn all_errors_are_told_at_once_each_with_its_place_and_the_nearest_key() {
         .replace("diameter", "diametre")
         .replace("[launch]", "[lunch]")
         .replace("every = \"5 ms\"", "every = \"0 ms\"");
-    let message = refused(&Bench::new(&[("net.toml", &text)]));
+    let message = refused(&Workbench::new(&[("net.toml", &text)]));
     assert_says(
         &message,
         &[
@@ -89,21 +90,27 @@ fn numbers_that_cannot_be_are_refused() {
 
 #[test]
 fn a_scenario_that_is_not_there_or_no_text_is_named() {
-    let bench = Bench::new(&[]);
-    assert_says(&refused(&bench), &["cannot read net.toml: No such file"]);
-    fs::create_dir(bench.path("net.toml")).unwrap();
-    assert_says(&refused(&bench), &["cannot read net.toml"]);
-    let bench = Bench::new(&[]);
-    fs::write(bench.path("net.toml"), [0xff, 0xfe, 0x00]).unwrap();
-    assert_says(&refused(&bench), &["cannot read net.toml: it is not UTF-8 text"]);
-    assert_says(&refused(&Bench::new(&[("net.toml", "")])), &["missing key `web`", "[web.square]", "3 errors"]);
+    let workbench = Workbench::new(&[]);
+    assert_says(&refused(&workbench), &["cannot read net.toml: No such file"]);
+    fs::create_dir(workbench.path("net.toml")).unwrap();
+    assert_says(&refused(&workbench), &["cannot read net.toml"]);
+    let workbench = Workbench::new(&[]);
+    fs::write(workbench.path("net.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    assert_says(&refused(&workbench), &["cannot read net.toml: it is not UTF-8 text"]);
+    assert_says(&refused(&Workbench::new(&[("net.toml", "")])), &["missing key `web`", "[web.square]", "3 errors"]);
     assert_says(&net_with("[web.square]", "[web.square"), &["--> net.toml:3:"]);
 }
 
 #[test]
 fn a_mesh_that_does_not_fit_is_shown_with_one_that_does() {
-    assert_says(&net_with("mesh = \"0.5 m\"", "mesh = \"0.3 m\""), &["--> net.toml:5:8", "0.333333 m or 0.285714 m would"]);
-    assert_says(&net_with("mesh = \"0.5 m\"", "mesh = \"3 m\""), &["--> net.toml:5:8", "larger than the web's side of 2 m"]);
+    assert_says(
+        &net_with("mesh = \"0.5 m\"", "mesh = \"0.3 m\""),
+        &["--> net.toml:5:8", "0.333333 m or 0.285714 m would"],
+    );
+    assert_says(
+        &net_with("mesh = \"0.5 m\"", "mesh = \"3 m\""),
+        &["--> net.toml:5:8", "larger than the web's side of 2 m"],
+    );
 }
 
 /// These were shown at `web.square.cells_per_side` and at `solve.segment_length`, which a square net does not have.
@@ -116,19 +123,26 @@ fn a_net_cut_too_fine_is_shown_where_it_says_so() {
 
 #[test]
 fn a_stowing_that_stretches_is_refused() {
-    let pretension = SMALL_NET.replace("\"5 GPa\"", "\"5 GPa\"\npretension = \"10 N\"").replace("factor = 0.25", "factor = 1.0");
-    let message = refused(&Bench::new(&[("net.toml", &pretension)]));
+    let pretension =
+        SMALL_NET.replace("\"5 GPa\"", "\"5 GPa\"\npretension = \"10 N\"").replace("factor = 0.25", "factor = 1.0");
+    let message = refused(&Workbench::new(&[("net.toml", &pretension)]));
     // the strain of 10 N on 5 GPa and a 3 mm rope: 10 / (5e9 pi/4 9e-6) = 0.0283 %
-    assert_says(&message, &["stow.scale:", "is stretched", "by 0.028 %", "pack it closer, or give the rope no pretension"]);
+    assert_says(
+        &message,
+        &["stow.scale:", "is stretched", "by 0.028 %", "pack it closer, or give the rope no pretension"],
+    );
 
     let deep = "[stow.bag]\nradius = \"0.2 m\"\ndepth = \"9 m\"";
     let message = net_with("[stow.scale]\nfactor = 0.25", deep);
-    assert_says(&message, &["stow.bag.depth:", "--> net.toml:18:9", "a bag 9 m deep would stretch", "it can be at most"]);
+    assert_says(
+        &message,
+        &["stow.bag.depth:", "--> net.toml:18:9", "a bag 9 m deep would stretch", "it can be at most"],
+    );
     // the depth that is offered is one that works
     let offered = message.split("at most ").nth(1).unwrap().split(' ').next().unwrap();
     let rounded_down = offered.parse::<f64>().unwrap() - 1e-4;
     let net = SMALL_NET.replace("[stow.scale]\nfactor = 0.25", &deep.replace('9', &rounded_down.to_string()));
-    Bench::new(&[("net.toml", &net)]).succeed(&["stow", "net.toml"]);
+    Workbench::new(&[("net.toml", &net)]).succeed(&["stow", "net.toml"]);
 
     let message = net_with("[stow.scale]\nfactor = 0.25", "[stow.bag]\nradius = \"5 m\"");
     assert_says(&message, &["stow.bag.radius:", "at most the web's own"]);
@@ -138,7 +152,10 @@ fn a_stowing_that_stretches_is_refused() {
 #[test]
 fn names_of_nodes_corners_ropes_and_classes_are_checked() {
     let message = net_with("[launch]", "[hold]\nnodes = [\"nowhere\"]\n\n[launch]");
-    assert_says(&message, &["hold.nodes[0]: unknown node \"nowhere\"", "--> net.toml:20:10", "lists the names of all nodes"]);
+    assert_says(
+        &message,
+        &["hold.nodes[0]: unknown node \"nowhere\"", "--> net.toml:20:10", "lists the names of all nodes"],
+    );
     let message = net_with("[launch]", "[[tractors]]\ncorner = 5\n\n[launch]");
     assert_says(&message, &["tractors[0].corner: the web has 4 corners, not 5", "--> net.toml:20:10"]);
     let thick = "[ropes.thick]\ndiameter = \"5 mm\"\ndensity = 1140\nelastic_modulus = \"5 GPa\"\n";
@@ -174,7 +191,7 @@ fn a_web_in_pieces_names_a_knot_of_two_of_them() {
         ("nodes.csv", format!("{NODES}far,9,9,0\nout,9,8,0\n")),
         ("ropes.csv", format!("{ROPES}far,out,inner\n")),
     ];
-    let message = refused(&Bench::new(&files.each_ref().map(|(name, text)| (*name, &text[..]))));
+    let message = refused(&Workbench::new(&files.each_ref().map(|(name, text)| (*name, &text[..]))));
     assert_says(&message, &["the web is in 2 pieces", "nothing joins", "n1", "far"]);
 }
 
@@ -186,11 +203,12 @@ fn a_missing_file_is_shown_where_it_is_named() {
 
 #[test]
 fn bad_rows_are_told_with_their_lines() {
-    let nodes = NODES.replace("n2,-1,1,0", "n2,-1,one,0").replace("n4,1,-1,0", "n4,1,-1").replace("middle,0", "middle,nan");
+    let nodes =
+        NODES.replace("n2,-1,1,0", "n2,-1,one,0").replace("n4,1,-1,0", "n4,1,-1").replace("middle,0", "middle,nan");
     let ropes = ROPES.replace("n2,n3", "n2,n2").replace("n4,middle", "n9,middle");
-    let bench = Bench::new(&[("net.toml", GRAPH_NET), ("nodes.csv", &nodes), ("ropes.csv", &ropes)]);
+    let workbench = Workbench::new(&[("net.toml", GRAPH_NET), ("nodes.csv", &nodes), ("ropes.csv", &ropes)]);
     assert_says(
-        &refused(&bench),
+        &refused(&workbench),
         &[
             "y: expected a number, found \"one\"",
             "--> nodes.csv:3:1",
@@ -208,13 +226,19 @@ fn bad_rows_are_told_with_their_lines() {
 
 #[test]
 fn ropes_and_lists_of_a_graph_must_make_sense() {
-    assert_says(&graph_with("nodes.csv", "n2,-1,1,0", "n1,-1,1,0"), &["node \"n1\" stands in line 2 already", "--> nodes.csv:3:1"]);
+    assert_says(
+        &graph_with("nodes.csv", "n2,-1,1,0", "n1,-1,1,0"),
+        &["node \"n1\" stands in line 2 already", "--> nodes.csv:3:1"],
+    );
     assert_says(&graph_with("nodes.csv", "n2,-1,1,0", "n2,1,1,0"), &["has no length", "at the same place", "line 2"]);
     let message = graph_with("net.toml", "outline = [\"n1\", \"n2\"", "outline = [\"n1\", \"n1\"");
     assert_says(&message, &["web.graph.outline: node \"n1\" is named twice", "--> net.toml:6:11"]);
     let message = graph_with("net.toml", "outline = [\"n1\", \"n2\", \"n3\", \"n4\"]", "outline = [\"n1\"]");
     assert_says(&message, &["an outline needs at least 3 knots, not 1"]);
-    assert_says(&graph_with("net.toml", "corners = [\"n1\"", "corners = [\"m1\""), &["web.graph.corners[0]: unknown node \"m1\""]);
+    assert_says(
+        &graph_with("net.toml", "corners = [\"n1\"", "corners = [\"m1\""),
+        &["web.graph.corners[0]: unknown node \"m1\""],
+    );
 }
 
 #[test]
@@ -222,7 +246,7 @@ fn a_stow_file_must_know_every_knot_and_no_other() {
     let stowed = GRAPH_NET.replace("[stow.scale]\nfactor = 0.5", "[stow.file]\npath = \"stowed.csv\"");
     let with = |rows: &str| {
         let files = [("net.toml", &stowed[..]), ("nodes.csv", NODES), ("ropes.csv", ROPES), ("stowed.csv", rows)];
-        refused(&Bench::new(&files))
+        refused(&Workbench::new(&files))
     };
     assert_says(&with("id,x,y,z\nn1,0,0,0\n"), &["stow.file.path:", "some knots have no position", "n2", "middle"]);
     assert_says(&with(&format!("{NODES}midle,0,0,0\n")), &["line 7", "\"midle\"", "did you mean \"middle\"?"]);

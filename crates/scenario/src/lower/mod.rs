@@ -28,9 +28,19 @@ use crate::document::Document;
 use crate::scenario::Scenario;
 use material::Member;
 
-/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand; measured in
-/// docs/theory/slack-taut.md.
-pub const STEP_FRACTION: f64 = 0.25;
+/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand, measured in
+/// docs/theory/slack-taut.md; and the share where ropes are hardly damped.
+const STEP_FRACTION: f64 = 0.25;
+const STEP_FRACTION_UNDAMPED: f64 = 0.15;
+
+/// Damping time c/k over the stable step below which a segment counts as hardly damped: a damping ratio of about 0.01.
+const HARDLY_DAMPED: f64 = 0.02;
+
+/// The share of the stability limit that is chosen where the scenario does not say.
+fn step_fraction(system: &System, limit: &StepLimit) -> f64 {
+    let hardly_damped = |s: &Segment| s.damping < HARDLY_DAMPED * limit.dt * s.stiffness;
+    if system.segments().iter().any(hardly_damped) { STEP_FRACTION_UNDAMPED } else { STEP_FRACTION }
+}
 
 /// A scenario ready to be simulated, with the names of its parts.
 #[derive(Debug, Clone)]
@@ -99,7 +109,8 @@ impl Model {
         .build()
         .map_err(|error| Diagnostics::from(Diagnostic::new("", error.to_string(), None)))?;
         let limit = step_limit(&system);
-        scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(STEP_FRACTION));
+        let chosen = step_fraction(&system, &limit);
+        scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
@@ -128,7 +139,7 @@ impl Model {
 
     /// The largest step that is wanted, s: the scenario's share of the stable one.
     pub fn largest_dt(&self) -> f64 {
-        self.scenario.solve.step_fraction.map_or(STEP_FRACTION, |f| f.si()) * self.limit.dt
+        self.scenario.solve.step_fraction.expect("it was chosen").si() * self.limit.dt
     }
 
     /// What a message calls a segment, such as "segment 12 of traction rope 3".

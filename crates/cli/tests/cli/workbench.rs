@@ -77,7 +77,7 @@ pub const ROPES: &str = "a,b,class\nn1,n2,outline\nn2,n3,outline\nn3,n4,outline\
                          n1,middle,radial\nn2,middle,radial\nn3,middle,radial\nn4,middle,radial\n";
 
 /// A folder of its own for a test, with files to start from.
-pub struct Bench(TempDir);
+pub struct Workbench(TempDir);
 
 /// How a command ended.
 #[derive(Debug)]
@@ -90,24 +90,24 @@ pub struct Ended {
     pub stderr: String,
 }
 
-impl Bench {
+impl Workbench {
     /// A folder with these files, by name and text.
-    pub fn new(files: &[(&str, &str)]) -> Bench {
-        let bench = Bench(TempDir::new().unwrap());
+    pub fn new(files: &[(&str, &str)]) -> Workbench {
+        let workbench = Workbench(TempDir::new().unwrap());
         for (name, text) in files {
-            fs::write(bench.path(name), text).unwrap();
+            fs::write(workbench.path(name), text).unwrap();
         }
-        bench
+        workbench
     }
 
     /// A folder with the small net as `net.toml`.
-    pub fn with_net() -> Bench {
-        Bench::new(&[("net.toml", SMALL_NET)])
+    pub fn with_net() -> Workbench {
+        Workbench::new(&[("net.toml", SMALL_NET)])
     }
 
     /// A folder with the graph net as `net.toml`, and its files.
-    pub fn with_graph() -> Bench {
-        Bench::new(&[("net.toml", GRAPH_NET), ("nodes.csv", NODES), ("ropes.csv", ROPES)])
+    pub fn with_graph() -> Workbench {
+        Workbench::new(&[("net.toml", GRAPH_NET), ("nodes.csv", NODES), ("ropes.csv", ROPES)])
     }
 
     /// A path in the folder.
