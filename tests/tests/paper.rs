@@ -131,6 +131,14 @@ fn the_three_webs_come_out_as_the_paper_says() {
     assert!(readme.contains(&table), "the README's table is not that of this run:\n{table}");
 }
 
+/// The feature points in the order in which they start.
+fn order_of_start(summary: &Summary) -> String {
+    let start = |name: &&str| summary.points[*name].as_ref().and_then(|p| p.starts_s).expect("it starts");
+    let mut names = ["A", "B", "C", "D"];
+    names.sort_by(|a, b| start(a).total_cmp(&start(b)));
+    names.join(", ")
+}
+
 /// The README's table.
 fn table(runs: &[(Reported, Summary)]) -> String {
     let mut table = String::new();
@@ -154,6 +162,7 @@ fn table(runs: &[(Reported, Summary)]) -> String {
     row("of D, C, A, m", &|_, s| {
         ("B > D > C > A".into(), ["D", "C", "A"].map(|point| format!("{:.1}", travel(s, point).0)).join(", "))
     });
+    row("points start to rise in the order", &|_, s| ("A, C, D, B".into(), order_of_start(s)));
     row("largest tension, kN", &|p, s| {
         (format!("{:.1}", 1e-3 * p.tension_n), format!("{:.1}", 1e-3 * s.tension.max_n))
     });
@@ -164,7 +173,7 @@ fn table(runs: &[(Reported, Summary)]) -> String {
     });
     row("energy closes to (web), %", &|_, s| {
         let web = s.energy.closure_web.unwrap_or_default();
-        ("–".into(), format!("{:.2} ({:.2})", 100.0 * s.energy.closure, 100.0 * web))
+        ("–".into(), format!("{:.4} ({:.4})", 100.0 * s.energy.closure, 100.0 * web))
     });
     table
 }
