@@ -1,6 +1,7 @@
 //! The three webs of the founding paper, run from their example folders, beside what the paper reports.
 //!
-//! The README's table is held to these runs: it is printed by `cargo test -p netcast-tests --test paper -- --nocapture`.
+//! The README's table is held to these runs: it is printed by `cargo test -p netcast-tests --test paper --
+//! --nocapture`.
 
 use std::fmt::Write;
 use std::path::Path;

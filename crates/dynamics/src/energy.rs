@@ -44,7 +44,8 @@ impl Ledger {
         ledger
     }
 
-    /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new channel cannot be forgotten here.
+    /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
+    /// channel cannot be forgotten here.
     pub fn channels(&self) -> [(&'static str, f64); 5] {
         let Ledger { kinetic, kinetic_web: _, elastic, gravity, rope_damping, mass_damping } = *self;
         [

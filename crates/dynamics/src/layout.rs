@@ -1,13 +1,14 @@
 //! How a net lies in memory: ropes as unbroken runs of slots, knots apart.
 //!
-//! A *run* is a walk along segments of one class that uses each segment once. Its nodes are copied, in order, into *slots*; the
-//! segment of slot `i` joins it to slot `i + 1`, so that the hot loop reads its neighbours without an index. A node
-//! that appears in one slot only, and is free, is *private*: it is advanced where it lies. Every other node (a knot of several ropes, a
-//! held node, a lone mass) is *shared*: its slots are mere copies, its force is the sum over its slots in ascending
-//! order. That order is fixed by the layout alone, hence the same bits for any number of threads.
+//! A *run* is a walk along segments of one class that uses each segment once. Its nodes are copied, in order, into
+//! *slots*; the segment of slot `i` joins it to slot `i + 1`, so that the hot loop reads its neighbours without an
+//! index. A node that appears in one slot only, and is free, is *private*: it is advanced where it lies. Every other
+//! node (a knot of several ropes, a held node, a lone mass) is *shared*: its slots are mere copies, its force is the
+//! sum over its slots in ascending order. That order is fixed by the layout alone, hence the same bits for any number
+//! of threads.
 //!
-//! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A run that does not fit is
-//! continued in the next block, and the node at the cut becomes a shared one.
+//! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A
+//! run that does not fit is continued in the next block, and the node at the cut becomes a shared one.
 
 use crate::system::Segment;
 
@@ -124,8 +125,9 @@ impl Layout {
 
 /// Walks that together use every segment of `class` once: each a list of slots.
 ///
-/// Walks start first where an odd number of segments meets (a walk must end there anyway), then on what is left, closed loops.
-/// At a node the walk takes the first unused segment in the order given, so that a rope stays in one run.
+/// Walks start first where an odd number of segments meets (a walk must end there anyway), then on what is left,
+/// closed loops. At a node the walk takes the first unused segment in the order given, so that a rope stays in one
+/// run.
 fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
     let mut meeting = vec![Vec::new(); nodes];
     for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {

@@ -7,7 +7,8 @@
 //! * [`forces`] holds the physics, one effect a file.
 //! * [`time`] holds the clock: [`time::readable`] is the step as one reads it, [`time::step`] the same bits, faster;
 //!   [`time::step_size`] says how large a step may be. [`layout`] says how a net lies in memory for it.
-//! * [`simulate`](simulate::simulate) runs a system from a state and shows every step to an [`Observer`](simulate::Observer).
+//! * [`simulate`](simulate::simulate) runs a system from a state and shows every step to an
+//!   [`Observer`](simulate::Observer).
 //! * [`energy`] keeps the ledger by which a run is judged.
 //!
 //! A mass on a rope, swinging:

@@ -25,7 +25,8 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// The largest step not above `largest_dt` that divides `record_every`; `duration` is rounded to a whole number of steps.
+    /// The largest step not above `largest_dt` that divides `record_every`; `duration` is rounded to a whole number
+    /// of steps.
     pub fn new(duration: f64, record_every: f64, largest_dt: f64) -> Schedule {
         let record_every = record_every.min(duration);
         let steps_per_record = (record_every / largest_dt).ceil().max(1.0);

@@ -8,7 +8,8 @@ use netcast_dynamics::system::Environment;
 use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 
-/// A rope that hangs between two held ends, taut under pretension, plucked, with damping in the rope and by mass: all terms, never slack.
+/// A rope that hangs between two held ends, taut under pretension, plucked, with damping in the rope and by mass: all
+/// terms, never slack.
 fn end_of_run(dt_share: f64, count: u64) -> Vec<DVec3> {
     let mut net = Net::rope(1.0, 8, Material { axial_stiffness: 1000.0, mass_per_length: 0.1, damping_ratio: 0.1 });
     for x in &mut net.state.position {

@@ -8,7 +8,8 @@ use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
-/// A taut rope between held ends, disturbed in its highest mode; the largest speed after `steps` steps of `share` of the limit.
+/// A taut rope between held ends, disturbed in its highest mode; the largest speed after `steps` steps of `share` of
+/// the limit.
 fn speed_after(share: f64, steps: f64, damping_ratio: f64) -> f64 {
     let mut net = Net::rope(1.0, 20, Material { axial_stiffness: 1e4, mass_per_length: 0.01, damping_ratio });
     for x in &mut net.state.position {

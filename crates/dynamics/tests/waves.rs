@@ -31,8 +31,8 @@ impl Tensions {
     }
 }
 
-/// One-dimensional wave equation: a rope whose end is jerked along it at V is pulled with rho A c V until the wave comes back.
-/// The paper's rope at 71 m/s: 66.99 kN.
+/// One-dimensional wave equation: a rope whose end is jerked along it at V is pulled with rho A c V until the wave
+/// comes back. The paper's rope at 71 m/s: 66.99 kN.
 #[test]
 fn a_rope_jerked_along_itself_pulls_with_rho_a_c_v() {
     // seen from the jerked end: the end is held, the rope runs away from it
@@ -51,8 +51,9 @@ fn a_rope_jerked_along_itself_pulls_with_rho_a_c_v() {
     assert!((plateau / 66_990.0 - 1.0).abs() < 2e-3, "{plateau} N");
 }
 
-/// A long rope hit across at V: a kink runs outwards, inside it the rope is straight and its strain e obeys
-/// V = c sqrt(2 e sqrt(e (1 + e)) - e^2) (Smith, McCrackin, Schiefer 1958). The paper's rope at 50 m/s: 5928 N, at 71 m/s: 9486 N.
+/// A long rope hit across at V: a kink runs outwards, inside it the rope is straight and its strain e obeys V = c
+/// sqrt(2 e sqrt(e (1 + e)) - e^2) (Smith, McCrackin, Schiefer 1958). The paper's rope at 50 m/s: 5928 N, at 71 m/s:
+/// 9486 N.
 #[test]
 fn a_rope_hit_across_takes_the_tension_of_smith_mccrackin_and_schiefer() {
     for (speed, expected) in [(50.0, 5928.0), (71.0, 9486.0)] {

@@ -91,8 +91,8 @@ pub fn schedule(model: &Model) -> Schedule {
     Schedule::new(model.scenario.solve.duration.si(), every, model.largest_dt())
 }
 
-/// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so, the run
-/// stops at the next one.
+/// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so,
+/// the run stops at the next one.
 ///
 /// # Errors
 /// [`RunError`], with nothing written, where the input is wrong or `target` cannot be written. A run that goes

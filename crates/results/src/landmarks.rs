@@ -13,7 +13,8 @@ pub struct Landmark {
     pub name: String,
     /// The nodes whose mean it is; not empty.
     pub nodes: Vec<usize>,
-    /// Whether its nodes are points of their own, as tractors are. The speed of a group is the mean of its speeds; that of a point is the speed of its mean.
+    /// Whether its nodes are points of their own, as tractors are. The speed of a group is the mean of its speeds;
+    /// that of a point is the speed of its mean.
     pub is_group: bool,
     /// The segments of rope that meet there.
     pub segments: Vec<usize>,

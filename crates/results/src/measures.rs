@@ -63,7 +63,8 @@ pub fn mean(nodes: &[usize], of: impl Fn(usize) -> DVec3) -> DVec3 {
     }
 }
 
-/// How far the middle leads the outline along the axis, over the square root of the reference area, both from the flat web.
+/// How far the middle leads the outline along the axis, over the square root of the reference area, both from the
+/// flat web.
 pub fn posture(landmarks: &Landmarks, position: &dyn Fn(usize) -> DVec3) -> Option<f64> {
     let size = landmarks.reference_area?.sqrt();
     let count = landmarks.outline.len() as f64;
@@ -79,7 +80,8 @@ struct PointMeasures {
     speed: Peak,
     travel: Peak,
     height: Peak,
-    /// Time, travel and bottom-tension integral whenever the travel had grown by another part in a thousand: enough to find, at the end, when 1 % of the peak was reached.
+    /// Time, travel and bottom-tension integral whenever the travel had grown by another part in a thousand: enough
+    /// to find, at the end, when 1 % of the peak was reached.
     growth: Vec<(f64, f64, f64)>,
 }
 

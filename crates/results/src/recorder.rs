@@ -141,7 +141,8 @@ impl<'r> Recorder<'r> {
         sums.into_iter().map(|(sum, count, max)| (sum / f64::max(count, 1.0), max)).collect()
     }
 
-    /// Ends the recording with how the run ended. `tolerance` is what the balance was asked to reach, closure and closure of the web.
+    /// Ends the recording with how the run ended. `tolerance` is what the balance was asked to reach, closure and
+    /// closure of the web.
     ///
     /// # Errors
     /// The first one that came up while recording.

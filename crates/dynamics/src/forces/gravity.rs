@@ -1,6 +1,7 @@
 //! Weight: m g on every node, g uniform (m/s^2).
 //!
-//! The energy is -m g.x, relative to the origin. Valid where the height flown through is small against the Earth's radius.
+//! The energy is -m g.x, relative to the origin. Valid where the height flown through is small against the Earth's
+//! radius.
 
 use glam::DVec3;
 

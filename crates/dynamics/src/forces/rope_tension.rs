@@ -6,23 +6,24 @@
 //! T  = max(0, k d + c d')  where d > 0,  else 0           tension, N                             (9)
 //! ```
 //!
-//! k = EA/L0 is the stiffness (N/m), c the damping (N s/m); see [`damping_from_time`] and [`damping_from_ratio`].
-//! The elastic energy is k d^2/2 where d > 0. What else the tension does is lost, and counted as work of the remaining force, T - k d.
+//! k = EA/L0 is the stiffness (N/m), c the damping (N s/m); see [`damping_from_time`] and [`damping_from_ratio`]. The
+//! elastic energy is k d^2/2 where d > 0. What else the tension does is lost, and counted as work of the remaining
+//! force, T - k d.
 //!
-//! Source: the founding paper's equations (9)-(12), the "concentrated mass damping spring model". The lower bound of zero,
-//! which (9) leaves out, keeps a rope from pushing while it shortens fast. Valid for strains small enough that k does not
-//! change, and for ropes that bend freely. T jumps by c d' where a rope tautens.
+//! Source: the founding paper's equations (9)-(12), the "concentrated mass damping spring model". The lower bound of
+//! zero, which (9) leaves out, keeps a rope from pushing while it shortens fast. Valid for strains small enough that
+//! k does not change, and for ropes that bend freely. T jumps by c d' where a rope tautens.
 //!
-//! **In steps of dt.** A step that crosses from slack to taut sees either no force or all of it, and the spring takes k d (|d'| dt - d)/2 more
-//! or less than it stores: the energy that explicit methods win or lose at every such event. Within |d'| dt of
-//! the crossing the spring therefore pulls with
+//! **In steps of dt.** A step that crosses from slack to taut sees either no force or all of it, and the spring takes
+//! k d (|d'| dt - d)/2 more or less than it stores: the energy that explicit methods win or lose at every such event.
+//! Within |d'| dt of the crossing the spring therefore pulls with
 //!
 //! ```text
 //! k d (1 + d / (|d'| dt)) / 2            0 < d < |d'| dt
 //! ```
 //!
-//! which makes the work exact where d' is constant over two steps. It changes nothing as dt goes to 0, nor anywhere else.
-//! Derivation and measurement: docs/theory/slack-taut.md.
+//! which makes the work exact where d' is constant over two steps. It changes nothing as dt goes to 0, nor anywhere
+//! else. Derivation and measurement: docs/theory/slack-taut.md.
 
 use crate::system::System;
 use glam::DVec3;
@@ -74,12 +75,14 @@ pub fn elastic_energy(a: DVec3, b: DVec3, rest_length: f64, stiffness: f64) -> f
     if stretch > 0.0 { 0.5 * stiffness * stretch * stretch } else { 0.0 }
 }
 
-/// c = EA t / L0: internal friction of a material with damping time `time`, s. With it the damping of a rope does not depend on how it is cut.
+/// c = EA t / L0: internal friction of a material with damping time `time`, s. With it the damping of a rope does not
+/// depend on how it is cut.
 pub fn damping_from_time(axial_stiffness: f64, time: f64, rest_length: f64) -> f64 {
     axial_stiffness * time / rest_length
 }
 
-/// c = 2 ratio sqrt(k m), with k the segment's stiffness and m its mass: a fraction of a single segment's critical damping, for numerical purposes.
+/// c = 2 ratio sqrt(k m), with k the segment's stiffness and m its mass: a fraction of a single segment's critical
+/// damping, for numerical purposes.
 pub fn damping_from_ratio(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
 }
@@ -112,7 +115,8 @@ pub fn add_force(
     }
 }
 
-/// Work lost in each block as its segments go from one length and friction to the next, J. Trapezoidal rule over the way itself.
+/// Work lost in each block as its segments go from one length and friction to the next, J. Trapezoidal rule over the
+/// way itself.
 pub fn lost_work(system: &System, before: &[Pull], after: &[Pull]) -> f64 {
     let mut sum = 0.0;
     for block in system.layout().blocks() {

@@ -1,9 +1,9 @@
 //! A block of slots as arrays, and the two loops that run over it. All that is hot is here.
 //!
-//! Every component of every quantity has an array of its own, padded to whole groups of [`LANES`] slots. The loops have no
-//! branches, so that the compiler turns them into vector instructions; which ones is chosen when the program runs.
-//! Neither wider vectors nor threads change a bit: sums run in [`LANES`] interleaved parts whatever the width, and
-//! multiplications and additions are never contracted.
+//! Every component of every quantity has an array of its own, padded to whole groups of [`LANES`] slots. The loops
+//! have no branches, so that the compiler turns them into vector instructions; which ones is chosen when the program
+//! runs. Neither wider vectors nor threads change a bit: sums run in [`LANES`] interleaved parts whatever the width,
+//! and multiplications and additions are never contracted.
 
 use multiversion::multiversion;
 
@@ -37,7 +37,8 @@ pub(super) struct Block {
     pub v: Components,
     /// Velocity extrapolated to the step.
     pub w: Components,
-    /// Force of the segment *before* each slot on its own first node: entry i + 1 belongs to segment i, entry 0 is zero.
+    /// Force of the segment *before* each slot on its own first node: entry i + 1 belongs to segment i, entry 0 is
+    /// zero.
     pub pull: Components,
     pub tension: Vec<f64>,
     /// Length and friction of each segment at the pass before.
@@ -164,7 +165,8 @@ fn pull_each(
     }
 }
 
-/// Kick and drift of all private nodes of the block. Copies of shared nodes come out wrong and are written anew before they are read.
+/// Kick and drift of all private nodes of the block. Copies of shared nodes come out wrong and are written anew
+/// before they are read.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2", "x86_64+avx"))]
 pub(super) fn advance_nodes(block: &mut Block, factors: StepFactors, gravity: [f64; 3]) {
     let n = block.mass.len();

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! Explicit, one evaluation of forces a step, second order. Where forces do not depend on velocity it is symplectic
-//! and time-reversible: nothing is lost, nothing drifts. The extrapolated w_n keeps second order where ropes have internal damping. The velocity *at* n is
-//! the mean of its two neighbours. (Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, section I.1.4; Verlet 1967.)
+//! and time-reversible: nothing is lost, nothing drifts. The extrapolated w_n keeps second order where ropes have
+//! internal damping. The velocity *at* n is the mean of its two neighbours. (Hairer, Lubich, Wanner, Geometric
+//! Numerical Integration, 2006, section I.1.4; Verlet 1967.)
 
 mod blocks;
 pub mod readable;
@@ -44,7 +45,8 @@ impl StepFactors {
         [next, position + self.dt * next, 1.5 * next - 0.5 * velocity]
     }
 
-    /// The half-step velocity before a start at velocity `v` with acceleration `a`, so that their mean at the start is `v`.
+    /// The half-step velocity before a start at velocity `v` with acceleration `a`, so that their mean at the start
+    /// is `v`.
     pub(crate) fn before_start(self, velocity: f64, acceleration: f64) -> f64 {
         (2.0 * velocity - self.q * acceleration) / (1.0 + self.p)
     }

@@ -44,7 +44,8 @@ pub struct Stepper<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    /// Starts from `state` with steps of `dt` seconds, on at most `threads` threads. The result is the same for any number.
+    /// Starts from `state` with steps of `dt` seconds, on at most `threads` threads. The result is the same for any
+    /// number.
     pub fn new(system: &'a System, state: &State, dt: f64, threads: usize) -> Stepper<'a> {
         let layout = system.layout();
         let mut copies = vec![Vec::new(); layout.blocks().len()];
@@ -99,7 +100,8 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// One whole step. Afterwards positions are those of the next step, velocities half a step behind them, tensions those of the step just taken.
+    /// One whole step. Afterwards positions are those of the next step, velocities half a step behind them, tensions
+    /// those of the step just taken.
     pub fn step(&mut self) -> StepSums {
         let (factors, gravity, shared) = (self.factors, self.gravity, &self.shared);
         let dt = factors.dt;
@@ -112,7 +114,8 @@ impl<'a> Stepper<'a> {
         self.sums()
     }
 
-    /// The first part of [`Stepper::step`]: tensions and forces where the nodes are now, for who wants to look before going on.
+    /// The first part of [`Stepper::step`]: tensions and forces where the nodes are now, for who wants to look before
+    /// going on.
     pub fn forces(&mut self) -> StepSums {
         let (dt, shared) = (self.factors.dt, &self.shared);
         self.threads.for_each(&mut self.blocks, |block| {

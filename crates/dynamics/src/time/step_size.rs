@@ -6,15 +6,16 @@
 //! x_(n+1) - 2 x_n + x_(n-1) = -W^2 x_n - 2 xi W (3 x_n - 4 x_(n-1) + x_(n-2))/2,      W = omega dt
 //! ```
 //!
-//! whose root leaves the unit circle at z = -1, where W^2 + 8 xi W = 4. For a net this reads: dt^2 K + 4 dt C - 4 M must be negative
-//! definite. By Gershgorin's theorem, node by node, with sums over the segments that meet there (each counts twice, once for itself and once for the coupling):
+//! whose root leaves the unit circle at z = -1, where W^2 + 8 xi W = 4. For a net this reads: dt^2 K + 4 dt C - 4 M
+//! must be negative definite. By Gershgorin's theorem, node by node, with sums over the segments that meet there
+//! (each counts twice, once for itself and once for the coupling):
 //!
 //! ```text
 //! 2 dt^2 sum(k) + 8 dt sum(c) <= 4 m,    dt = m / (C + sqrt(C^2 + K m/2)),    K = sum(k), C = sum(c)
 //! ```
 //!
-//! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact: dt = segment length / wave speed.
-//! See docs/theory/step-size.md for the derivation.
+//! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact:
+//! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
 use crate::system::System;
 

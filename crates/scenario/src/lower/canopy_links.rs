@@ -1,15 +1,16 @@
-//! A canopy as twelve members that pull and never push: six spokes from its hub, six sides. It folds freely, like cloth.
+//! A canopy as twelve members that pull and never push: six spokes from its hub, six sides. It folds freely, like
+//! cloth.
 //!
-//! The members are chosen so that the canopy, flat and pulled in its plane, is as stiff as its sheet. A triangular lattice of springs k,
-//! each shared by two triangles, is an isotropic sheet of two-dimensional modulus Y = 2k/sqrt(3) with a Poisson ratio of 1/3 (Seung and
-//! Nelson 1988). With Y = E t:
+//! The members are chosen so that the canopy, flat and pulled in its plane, is as stiff as its sheet. A triangular
+//! lattice of springs k, each shared by two triangles, is an isotropic sheet of two-dimensional modulus Y =
+//! 2k/sqrt(3) with a Poisson ratio of 1/3 (Seung and Nelson 1988). With Y = E t:
 //!
 //! ```text
 //! spoke  k = sqrt(3)/2 E t        side (one triangle only)  k = sqrt(3)/4 E t
 //! ```
 //!
-//! Mass: a third of each triangle's at each of its corners, so a third of the canopy on the hub and a ninth on each rim node.
-//! What it is not: a plate. It neither bends nor keeps its shape, and it takes no compression.
+//! Mass: a third of each triangle's at each of its corners, so a third of the canopy on the hub and a ninth on each
+//! rim node. What it is not: a plate. It neither bends nor keeps its shape, and it takes no compression.
 
 use crate::canopy::CanopyLinks;
 

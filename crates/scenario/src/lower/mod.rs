@@ -28,8 +28,8 @@ use crate::document::Document;
 use crate::scenario::Scenario;
 use material::Member;
 
-/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand, measured in
-/// docs/theory/slack-taut.md; and the share where ropes are hardly damped.
+/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand,
+/// measured in docs/theory/slack-taut.md; and the share where ropes are hardly damped.
 const STEP_FRACTION: f64 = 0.25;
 const STEP_FRACTION_UNDAMPED: f64 = 0.15;
 
