@@ -1,6 +1,6 @@
 //! What went wrong, as a person reads it, and the exit status that it has.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use netcast::results::ResultError;
@@ -32,23 +32,26 @@ impl Complaint {
 
     /// Tells it on standard error.
     pub fn show(&self) {
+        // who closed standard error does not want to hear it
+        let _ = std::io::stderr().write_all(self.text().as_bytes());
+    }
+
+    fn text(&self) -> String {
         match self {
             Complaint::Input(diagnostics) => {
-                for diagnostic in &diagnostics.0 {
-                    eprintln!("{}\n", render(diagnostic));
-                }
                 let count = diagnostics.0.len();
-                eprintln!("{count} error{}; nothing was written", if count == 1 { "" } else { "s" });
+                let all: String = diagnostics.0.iter().map(|diagnostic| render(diagnostic) + "\n\n").collect();
+                format!("{all}{count} error{}; nothing was written\n", if count == 1 { "" } else { "s" })
             }
-            Complaint::Argument(message) => eprintln!("error: {message}"),
             Complaint::Failed(failure, folder) => {
-                eprintln!("error: the run failed: {failure}");
-                if matches!(failure, Failure::Unbalanced { .. }) {
-                    eprintln!("       or accept it with --set solve.on_energy_error=flag");
-                }
-                eprintln!("       what was computed is in {}", folder.display());
+                let accept = match failure {
+                    Failure::Unbalanced { .. } => "       or accept it with --set solve.on_energy_error=flag\n",
+                    _ => "",
+                };
+                let kept = format!("       what was computed is in {}", folder.display());
+                format!("error: the run failed: {failure}\n{accept}{kept}\n")
             }
-            Complaint::Fault(message) => eprintln!("error: {message}"),
+            Complaint::Argument(message) | Complaint::Fault(message) => format!("error: {message}\n"),
         }
     }
 }

@@ -28,6 +28,8 @@ First steps:
   netcast check scenario.toml   check it; say what it is made of and what a run costs
   netcast run scenario.toml     run it; results go to results/scenario/, report.html among them
 
+Not there yet: compare, export, import, verify, fit, study, intercept, bench
+
 Exit status:
   0  done
   1  a fault of netcast

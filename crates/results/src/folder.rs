@@ -76,6 +76,7 @@ impl ResultFolder {
             let _ = fs::rename(&old, &self.target);
             return Err(ResultError::Write { path: self.target.clone(), source });
         }
+        keep_foreign(&old, &self.target)?;
         fs::remove_dir_all(&old).map_err(ResultError::write(&old))?;
         Ok(self.target.clone())
     }
@@ -128,6 +129,18 @@ fn unused_beside(target: &Path, role: &str) -> PathBuf {
         target.with_file_name(name)
     };
     (0..).map(candidate).find(|path| !path.exists()).expect("names do not run out")
+}
+
+/// Moves what is not netcast's own from the old result to the new one: notes that a user left there stay.
+fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
+    for entry in fs::read_dir(old).map_err(ResultError::read(old))? {
+        let entry = entry.map_err(ResultError::read(old))?;
+        let name = entry.file_name();
+        if ![INPUTS, SUMMARY, HISTORY, FIELDS, REPORT, MANIFEST].iter().any(|ours| name == *ours) {
+            fs::rename(entry.path(), new.join(&name)).map_err(ResultError::write(&new.join(&name)))?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -100,13 +100,15 @@ fn quiet_is_quiet() {
 }
 
 #[test]
-fn a_run_replaces_its_own_result_as_a_whole() {
+fn a_run_replaces_its_own_result_and_keeps_what_a_user_put_there() {
     let workbench = Workbench::with_net();
     workbench.succeed(&["run", "net.toml", "--quiet"]);
-    fs::write(workbench.path("results/net/of_the_first_run"), "").unwrap();
+    fs::write(workbench.path("results/net/notes.txt"), "of the user").unwrap();
+    fs::write(workbench.path("results/net/inputs/of_the_first_run"), "").unwrap();
     workbench.succeed(&["run", "net.toml", "--quiet", "--set", "title=second"]);
     assert_eq!(workbench.summary("results/net")["title"], "second");
-    assert!(!workbench.path("results/net/of_the_first_run").exists());
+    assert!(!workbench.path("results/net/inputs/of_the_first_run").exists());
+    assert_eq!(fs::read_to_string(workbench.path("results/net/notes.txt")).unwrap(), "of the user");
     assert_eq!(fs::read_dir(workbench.path("results")).unwrap().count(), 1, "nothing is left beside the result");
 }
 
@@ -139,4 +141,19 @@ fn a_folder_that_cannot_be_made_is_wrong_input_and_is_named_as_it_was_asked_for(
     let ended = Workbench::with_net().netcast(&["run", "net.toml", "--out", "/proc/results"]);
     assert_eq!(ended.status, 2, "{}", ended.stderr);
     assert!(ended.stderr.contains("cannot make the folder /proc/results:"), "{}", ended.stderr);
+}
+
+/// A run whose record interval did not divide its duration ended up to a step early or late.
+#[test]
+fn a_run_ends_when_the_scenario_says_whatever_the_record_interval() {
+    let workbench = Workbench::with_net();
+    for every in ["7 ms", "5 ms", "11 ms", "1 s"] {
+        workbench.succeed(&["run", "net.toml", "--quiet", "--set", &format!("record.every={every}")]);
+        let history = workbench.read("results/net/history.csv");
+        let times: Vec<&str> = history.lines().skip(1).map(|row| row.split(',').next().unwrap()).collect();
+        assert_eq!(times.last(), Some(&"0.05"), "every {every}");
+        if every == "7 ms" {
+            assert_eq!(times[..4], ["0", "0.007", "0.014", "0.021"]);
+        }
+    }
 }

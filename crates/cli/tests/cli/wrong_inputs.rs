@@ -253,3 +253,24 @@ fn a_stow_file_must_know_every_knot_and_no_other() {
     let far = NODES.replace("n1,1,1,0", "n1,2,2,0");
     assert_says(&with(&far), &["stow.file:", "is stretched"]);
 }
+
+/// A class called "tension" doubled a column and ended with status 1; one called "canopy" was left out of the largest
+/// tension.
+#[test]
+fn names_that_mean_something_else_in_the_results_are_refused() {
+    let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,tension");
+    assert_says(&message, &["line 6: the link class \"tension\" is kept for the largest tension", "net.toml:5:9"]);
+    let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,Canopy");
+    assert_says(&message, &["line 6: the link class \"canopy\" is kept for the members of canopies"]);
+    let message = graph_with("net.toml", "[rope]", "[points]\ntractor = \"n1\"\n\"a,b\" = \"n2\"\n\n[rope]");
+    assert_says(&message, &["\"tractor\" is followed in every run already", "\"a,b\" has other characters"]);
+}
+
+/// Both were started, one to be killed for want of memory, the other with a number of steps that had overflowed.
+#[test]
+fn a_run_that_would_never_end_is_refused() {
+    let message = net_with("every = \"5 ms\"", "every = 1e-12");
+    assert_says(&message, &["record.every: 5.000e10 records are too many", "--> net.toml:27:9"]);
+    let message = net_with("duration = \"50 ms\"", "duration = \"1e300 s\"");
+    assert_says(&message, &["solve.duration: ", "steps of", "are too many", "asks for such a step"]);
+}

@@ -14,5 +14,5 @@ pub fn add_force(gravity: DVec3, mass: &[f64], force: &mut [DVec3]) {
 
 /// Potential energy of all nodes relative to the origin, J.
 pub fn energy(gravity: DVec3, mass: &[f64], position: &[DVec3]) -> f64 {
-    position.iter().zip(mass).map(|(x, m)| -m * gravity.dot(*x)).sum()
+    0.0 - position.iter().zip(mass).map(|(x, m)| m * gravity.dot(*x)).sum::<f64>()
 }

@@ -128,13 +128,20 @@ fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) ->
     document.diagnostic(path, format!("{at}{error}"))
 }
 
-/// `[points]` of a web that is not a graph: names of its knots.
+/// Checks the names in `[points]`, and finds the knots of a web that is not a graph.
 fn name_points(document: &Document, scenario: &Scenario, web: &mut Web) -> Result<(), Diagnostics> {
-    if matches!(scenario.web, web::Web::Graph(_)) {
-        return Ok(());
-    }
     let mut found = Vec::new();
-    for (name, id) in &scenario.points {
+    for name in scenario.points.keys() {
+        let why = match &name[..] {
+            "tractor" | "corner" | "centre" => "is followed in every run already",
+            name if !super::is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
+            _ => continue,
+        };
+        let message = format!("the feature point {name:?} {why}");
+        found.push(document.diagnostic(&format!("points.{name}"), message).with_help("choose another name"));
+    }
+    let is_graph = matches!(scenario.web, web::Web::Graph(_));
+    for (name, id) in scenario.points.iter().filter(|_| !is_graph) {
         match web.knot_named(id) {
             Some(knot) => {
                 web.points.insert(name.clone(), Site::Knot(knot));

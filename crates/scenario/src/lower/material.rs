@@ -6,7 +6,7 @@ use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_ti
 use netcast_dynamics::system::Segment;
 use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
-use super::canopy_links;
+use super::{canopy_links, is_plain};
 use crate::canopy::Canopy;
 use crate::csv_files::RopeRow;
 use crate::diagnostic::Diagnostics;
@@ -70,6 +70,7 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
     }
     classes.sort();
     classes.dedup();
+    class_names(document, cut, rows)?;
     unassigned_classes(document, scenario, &classes)?;
     let class_number = |class: &Class| classes.iter().position(|c| c == class).expect("every class is listed");
 
@@ -138,6 +139,22 @@ fn section(rope: &Rope) -> f64 {
 fn kind_of<'s>(scenario: &'s Scenario, class: &Class, row: Option<&'s RopeRow>) -> (&'s str, &'s Rope) {
     let name = row.and_then(|r| r.rope.as_deref()).or_else(|| scenario.assign.get(class.name()).map(|n| &n[..]));
     name.and_then(|name| Some((name, scenario.ropes.get(name)?))).unwrap_or(("rope", &scenario.rope))
+}
+
+/// Names of link classes that would be taken for something else in the results.
+fn class_names(document: &Document, cut: &CutWeb, rows: &[RopeRow]) -> Result<(), Diagnostics> {
+    let mut found = Vec::new();
+    for (rope, row) in cut.web.ropes.iter().zip(rows) {
+        let why = match rope.class.name() {
+            "canopy" => "is kept for the members of canopies, which are no ropes",
+            "tension" => "is kept for the largest tension of all ropes",
+            name if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
+            _ => continue,
+        };
+        let message = format!("line {}: the link class {:?} {why}", row.line, rope.class.name());
+        found.push(document.diagnostic("web.graph.ropes", message).with_help("choose another name"));
+    }
+    Diagnostics::fail_if_any(found)
 }
 
 /// Classes named in `[assign]` that the web does not have.

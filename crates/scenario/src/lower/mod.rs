@@ -107,11 +107,13 @@ impl Model {
             },
         }
         .build()
-        .map_err(|error| Diagnostics::from(Diagnostic::new("", error.to_string(), None)))?;
+        .map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
         let chosen = step_fraction(&system, &limit);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
+        affordable(document, &scenario, &limit, &cut, &materials.members)?;
         let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
+        notes.extend(launched_and_held(&system, &tractors));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }
@@ -175,6 +177,39 @@ impl Model {
     }
 }
 
+/// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
+const MOST_ROWS: f64 = 1e7;
+const MOST_STEPS: f64 = 1e12;
+
+/// That the run will end.
+fn affordable(
+    document: &Document,
+    scenario: &Scenario,
+    limit: &StepLimit,
+    cut: &CutWeb,
+    members: &[Member],
+) -> Result<(), Diagnostics> {
+    let (duration, every) = (scenario.solve.duration.si(), scenario.record.every.si());
+    let largest_dt = scenario.solve.step_fraction.map_or(1.0, |f| f.si()) * limit.dt;
+    let steps = duration / largest_dt;
+    let mut found = Vec::new();
+    if duration / every > MOST_ROWS {
+        let message = format!("{:.3e} records are too many; at most {MOST_ROWS:e} are allowed", duration / every);
+        found.push(document.diagnostic("record.every", message).with_help("record less often, or for a shorter time"));
+    }
+    if steps > MOST_STEPS || steps.is_nan() {
+        let what = limit.segment.map_or("the step".into(), |segment| members[segment].label(cut));
+        let message = format!("{steps:.3e} steps of {largest_dt:.3e} s are too many; {what} asks for such a step");
+        found.push(document.diagnostic("solve.duration", message));
+    }
+    Diagnostics::fail_if_any(found)
+}
+
+/// Whether a name can stand in the header of a table and in a script.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || [' ', '_', '-', '.'].contains(&c))
+}
+
 /// The nodes that stay put: `[hold]` and what a graph's file says.
 fn held(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Vec<bool>, Diagnostics> {
     let mut held = vec![false; cut.nodes.len()];
@@ -209,6 +244,12 @@ fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diag
         Some(near) => diagnostic.with_help(format!("did you mean {near:?}?")),
         None => diagnostic.with_help("`netcast stow --write FILE.csv` lists the names of all nodes"),
     }
+}
+
+/// Tractors that stay put.
+fn launched_and_held(system: &System, tractors: &[usize]) -> Option<String> {
+    let count = tractors.iter().filter(|&&tractor| system.held()[tractor]).count();
+    (count > 0).then(|| format!("{count} of {} tractors are held by [hold]: they are not launched", tractors.len()))
 }
 
 /// A net at rest that nothing moves.
