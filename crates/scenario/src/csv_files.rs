@@ -129,7 +129,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         }
         let rope = cells.optional_text("rope");
         if let Some((message, help)) = rope.and_then(|name| unknown_rope(written, name)) {
-            cells.fault(message, Some(help));
+            cells.fault_in("rope", message, Some(help));
         }
         let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL);
         let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL);
@@ -166,7 +166,7 @@ impl Ids {
     fn take(&mut self, cells: &mut Cells) -> Option<String> {
         let id = cells.text("id", "a name")?.to_string();
         if let Some((line, _)) = self.0.get(&id) {
-            cells.fault(format!("node {id:?} stands in line {line} already"), None);
+            cells.fault_in("id", format!("node {id:?} stands in line {line} already"), None);
             return None;
         }
         self.0.insert(id.clone(), (cells.line(), self.0.len()));
@@ -178,7 +178,7 @@ impl Ids {
         match self.0.get(id) {
             Some((_, place)) => Some(*place),
             None => {
-                cells.fault(format!("{column}: unknown node {id:?}"), self.suggest(id));
+                cells.fault_in(column, format!("{column}: unknown node {id:?}"), self.suggest(id));
                 None
             }
         }
@@ -226,7 +226,7 @@ fn fixed(cells: &mut Cells) -> Option<bool> {
         None | Some("0") => Some(false),
         Some("1") => Some(true),
         Some(other) => {
-            cells.fault(format!("fixed: expected 0 or 1, found {other:?}"), None);
+            cells.fault_in("fixed", format!("fixed: expected 0 or 1, found {other:?}"), None);
             None
         }
     }
@@ -236,7 +236,7 @@ fn segments(cells: &mut Cells) -> Option<Option<NonZeroU32>> {
     let Some(text) = cells.optional_text("segments") else { return Some(None) };
     let segments = text.parse().ok();
     if segments.is_none() {
-        cells.fault(format!("segments: expected a whole number of at least 1, found {text:?}"), None);
+        cells.fault_in("segments", format!("segments: expected a whole number of at least 1, found {text:?}"), None);
     }
     segments.map(Some)
 }

@@ -119,9 +119,10 @@ impl CsvTable {
             } else {
                 cells.fault(format!("expected {} values, found {}", self.columns.len(), row.cells.len()), None);
             }
-            for (message, help) in cells.faults {
+            for Fault { column, message, help } in cells.faults {
                 if self.faults.len() < MOST_FAULTS {
-                    self.fault(row.span.clone(), message, help);
+                    let cell = column.and_then(|column| self.cell(row, &column));
+                    self.fault(cell.unwrap_or(row.span.clone()), message, help);
                 } else {
                     overflow += 1;
                 }
@@ -133,6 +134,16 @@ impl CsvTable {
         }
         found.append(&mut self.faults);
         read_rows
+    }
+
+    /// Where the cell in `column` stands; none where the row has quotes, inside which a comma separates nothing.
+    fn cell(&self, row: &Row, column: &str) -> Option<Range<usize>> {
+        let text = &self.source.text[row.span.clone()];
+        let place = self.columns.iter().position(|name| name == column)?;
+        let cell = text.split(',').nth(place).filter(|_| !text.contains('"'))?;
+        let before: usize = text.split(',').take(place).map(|cell| cell.len() + 1).sum();
+        let start = row.span.start + before + (cell.len() - cell.trim_start().len());
+        Some(start..start + cell.trim().len())
     }
 
     /// Something wrong with the file as a whole.
@@ -156,11 +167,18 @@ fn read_text(file: &FilePath) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_string())
 }
 
+/// Something wrong with a row, or with its cell in a column.
+struct Fault {
+    column: Option<String>,
+    message: String,
+    help: Option<String>,
+}
+
 /// The cells of one row.
 pub(crate) struct Cells<'a> {
     columns: &'a [String],
     row: &'a Row,
-    faults: Vec<(String, Option<String>)>,
+    faults: Vec<Fault>,
 }
 
 impl<'a> Cells<'a> {
@@ -171,7 +189,12 @@ impl<'a> Cells<'a> {
 
     /// Reports a fault of this row.
     pub(crate) fn fault(&mut self, message: String, help: Option<String>) {
-        self.faults.push((message, help));
+        self.faults.push(Fault { column: None, message, help });
+    }
+
+    /// Reports a fault of this row's cell in `column`.
+    pub(crate) fn fault_in(&mut self, column: &str, message: String, help: Option<String>) {
+        self.faults.push(Fault { column: Some(column.to_owned()), message, help });
     }
 
     /// The text in `column`; none where the column is left out or the cell is empty.
@@ -184,7 +207,7 @@ impl<'a> Cells<'a> {
     pub(crate) fn text(&mut self, column: &str, expected: &str) -> Option<&'a str> {
         let text = self.optional_text(column);
         if text.is_none() {
-            self.fault(format!("{column}: expected {expected}, found nothing"), None);
+            self.fault_in(column, format!("{column}: expected {expected}, found nothing"), None);
         }
         text
     }
@@ -205,7 +228,7 @@ impl<'a> Cells<'a> {
     fn parse(&mut self, column: &str, text: &str, interval: &Interval, expected: &str) -> Option<f64> {
         let number = text.parse().ok().filter(|number: &f64| number.is_finite() && interval.contains(*number));
         if number.is_none() {
-            self.fault(format!("{column}: expected {expected}, found {text:?}"), None);
+            self.fault_in(column, format!("{column}: expected {expected}, found {text:?}"), None);
         }
         number
     }

@@ -202,7 +202,7 @@ fn a_missing_file_is_shown_where_it_is_named() {
 }
 
 #[test]
-fn bad_rows_are_told_with_their_lines() {
+fn bad_rows_are_told_with_their_lines_and_columns() {
     let nodes =
         NODES.replace("n2,-1,1,0", "n2,-1,one,0").replace("n4,1,-1,0", "n4,1,-1").replace("middle,0", "middle,nan");
     let ropes = ROPES.replace("n2,n3", "n2,n2").replace("n4,middle", "n9,middle");
@@ -211,11 +211,11 @@ fn bad_rows_are_told_with_their_lines() {
         &refused(&workbench),
         &[
             "y: expected a number, found \"one\"",
-            "--> nodes.csv:3:1",
+            "--> nodes.csv:3:7",
             "expected 4 values, found 3",
             "--> nodes.csv:5:1",
             "x: expected a number, found \"nan\"",
-            "--> nodes.csv:6:1",
+            "--> nodes.csv:6:8",
             "a rope needs two different ends",
             "--> ropes.csv:3:1",
             "a: unknown node \"n9\"",
@@ -273,4 +273,15 @@ fn a_run_that_would_never_end_is_refused() {
     assert_says(&message, &["record.every: 5.000e10 records are too many", "--> net.toml:27:9"]);
     let message = net_with("duration = \"50 ms\"", "duration = \"1e300 s\"");
     assert_says(&message, &["solve.duration: ", "steps of", "are too many", "asks for such a step"]);
+}
+
+#[test]
+fn what_only_the_drawn_web_shows_is_told_at_once_too() {
+    let text = SMALL_NET.replace("factor = 0.25", "factor = 1.0").replace("[rope]", "[rope]\npretension = \"5 N\"")
+        + "\n[assign]\nring = \"rope\"\n\n[ropes.rope]\ndiameter = \"3 mm\"\ndensity = 1140\nelastic_modulus = \"5 GPa\"\n\
+           \n[hold]\nnodes = [\"n77\"]\n\n[[tractors]]\ncorner = 9\nparticle = { mass = 1 }\n";
+    assert_says(
+        &refused(&Workbench::new(&[("net.toml", &text)])),
+        &["no link class \"ring\"", "unknown node \"n77\"", "the web has 4 corners, not 9", "3 errors"],
+    );
 }

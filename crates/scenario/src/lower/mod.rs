@@ -81,12 +81,24 @@ impl Model {
         let mut scenario = document.scenario.clone();
         let mut notes = Vec::new();
         let cut = drawing::draw(document, &mut scenario, &mut notes)?;
-        let materials = material::materials(document, &cut, &scenario)?;
         let frame = launch::frame(&scenario);
-        let stowed = stowing::stow(document, &cut, &mut scenario)?;
-        let audit = stowing::audit(document, &cut, &materials.members, &stowed)?;
-        let velocity = launch::velocities(document, &cut, &scenario)?;
-        let held = held(document, &cut, &scenario)?;
+        // what can be wrong with a web once it is drawn, all at once
+        let mut found = Vec::new();
+        let materials = gather(material::materials(document, &cut, &scenario), &mut found);
+        let stowed = gather(stowing::stow(document, &cut, &mut scenario), &mut found);
+        let velocity = gather(launch::velocities(document, &cut, &scenario), &mut found);
+        let held = gather(held(document, &cut, &scenario), &mut found);
+        let audit = match (&materials, &stowed) {
+            (Some(materials), Some(stowed)) => {
+                gather(stowing::audit(document, &cut, &materials.members, stowed), &mut found)
+            }
+            _ => None,
+        };
+        let (Some(materials), Some(stowed), Some(velocity), Some(held), Some(audit)) =
+            (materials, stowed, velocity, held, audit)
+        else {
+            return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
+        };
 
         let tractors = cut.web.tractor_ring();
         let mut tractor = vec![false; cut.nodes.len()];
@@ -175,6 +187,11 @@ impl Model {
     pub fn points(&self) -> Vec<(String, usize)> {
         self.cut.web.points.iter().map(|(name, &site)| (name.clone(), self.cut.node_of(site))).collect()
     }
+}
+
+/// What came out, or none with what is wrong added to `found`.
+fn gather<T>(result: Result<T, Diagnostics>, found: &mut Vec<Diagnostic>) -> Option<T> {
+    result.map_err(|Diagnostics(wrong)| found.extend(wrong)).ok()
 }
 
 /// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
