@@ -27,13 +27,12 @@ pub fn landmarks(model: &Model) -> Landmarks {
         is_rope: *class != Class::Canopy,
         strength,
     });
-    let rim = |axis: glam::DVec3| {
-        let heights = web.outline.iter().map(|knots| web.mean_position(knots).dot(axis));
-        heights.sum::<f64>() / web.outline.len() as f64
-    };
-    let flat_posture = match web.outline.is_empty() {
-        true => 0.0,
-        false => web.mean_position(&web.centre).z - rim(glam::DVec3::Z),
+    let flat_posture = match web.outline.len() {
+        0 => 0.0,
+        count => {
+            let rim = web.outline.iter().map(|knots| web.mean_position(knots).z).sum::<f64>() / count as f64;
+            web.mean_position(&web.centre).z - rim
+        }
     };
     Landmarks {
         axis: model.axis(),
@@ -41,7 +40,6 @@ pub fn landmarks(model: &Model) -> Landmarks {
         reference_area: web.reference_area(),
         flat_posture,
         tractors: model.tractors.clone(),
-        corners: web.corners.clone(),
         centre: web.centre.clone(),
         points,
         bottom,

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use crate::measures::mean;
+use crate::measures::{mean, vector_area};
 
 /// What is followed under one name: a point, or a group of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,8 +55,6 @@ pub struct Landmarks {
     pub flat_posture: f64,
     /// The tractors, in order around the web.
     pub tractors: Vec<usize>,
-    /// Corners of the web.
-    pub corners: Vec<usize>,
     /// The web's centre is the mean of these nodes.
     pub centre: Vec<usize>,
     /// Feature points, then tractor, corner and centre, each where it exists.
@@ -65,4 +63,18 @@ pub struct Landmarks {
     pub bottom: Vec<usize>,
     /// Link classes, in the order of the system's class numbers.
     pub classes: Vec<LinkClass>,
+}
+
+impl Landmarks {
+    /// Vector area of the outline, m^2; none where there is no outline.
+    pub fn outline_area(&self, position: impl Fn(usize) -> DVec3) -> Option<DVec3> {
+        let vertices = self.outline.iter().map(|nodes| mean(nodes, &position));
+        (!self.outline.is_empty()).then(|| vector_area(vertices))
+    }
+
+    /// Area of the tractors' polygon along the axis, m^2; none where they make none.
+    pub fn tractor_area(&self, position: impl Fn(usize) -> DVec3) -> Option<f64> {
+        let vertices = self.tractors.iter().map(|&node| position(node));
+        (self.tractors.len() >= 3).then(|| vector_area(vertices).dot(self.axis).abs())
+    }
 }

@@ -188,8 +188,7 @@ impl Measures {
     /// All that follows from positions alone.
     fn shape(&mut self, time: f64, position: &dyn Fn(usize) -> DVec3) {
         let (landmarks, axis) = (&self.landmarks, self.landmarks.axis);
-        if !landmarks.outline.is_empty() {
-            let area = vector_area(landmarks.outline.iter().map(|nodes| mean(nodes, position)));
+        if let Some(area) = landmarks.outline_area(position) {
             let along = area.dot(axis).abs();
             if self.area.add(time, along) {
                 self.bottom_integral_at_area_max = self.bottom_integral;
@@ -203,9 +202,8 @@ impl Measures {
                 self.convex.add(time, p - POSTURE);
             }
         }
-        if landmarks.tractors.len() >= 3 {
-            let area = vector_area(landmarks.tractors.iter().map(|&n| position(n)));
-            self.tractor_area.add(time, area.dot(axis).abs());
+        if let Some(area) = landmarks.tractor_area(position) {
+            self.tractor_area.add(time, area);
         }
         for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
             let place = mean(&landmark.nodes, position);

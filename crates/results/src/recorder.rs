@@ -8,7 +8,7 @@ use netcast_dynamics::state::State;
 use netcast_dynamics::system::System;
 
 use crate::landmarks::Landmarks;
-use crate::measures::{Measures, mean, vector_area};
+use crate::measures::{Measures, mean};
 use crate::summary::{Energy, Opening, PointExtremes, Posture, Tension};
 use crate::{FieldsTopology, FieldsWriter, History, ResultError, folder, history};
 
@@ -94,9 +94,7 @@ impl<'r> Recorder<'r> {
         let landmarks = self.measures.landmarks();
         let at = |node: usize| frame.position[node];
         let axis = landmarks.axis;
-        let outline =
-            (!landmarks.outline.is_empty()).then(|| vector_area(landmarks.outline.iter().map(|nodes| mean(nodes, at))));
-        let tractors = (landmarks.tractors.len() >= 3).then(|| vector_area(landmarks.tractors.iter().map(|&n| at(n))));
+        let outline = landmarks.outline_area(at);
         let travel_of = |name: &str| {
             let index = landmarks.points.iter().position(|p| p.name == name)?;
             Some(self.measures.travel(index, mean(&landmarks.points[index].nodes, at)))
@@ -108,7 +106,7 @@ impl<'r> Recorder<'r> {
             Some(frame.time),
             outline.map(|s| s.dot(axis).abs()),
             outline.map(DVec3::length),
-            tractors.map(|s| s.dot(axis).abs()),
+            landmarks.tractor_area(at),
             travel_of("centre"),
             travel_of("corner"),
             travel_of("tractor"),

@@ -69,11 +69,6 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// The rope of a link class.
-    pub fn rope_of(&self, class: &str) -> &Rope {
-        self.assign.get(class).and_then(|name| self.ropes.get(name)).unwrap_or(&self.rope)
-    }
-
     /// The payload on each inner canopy.
     pub fn payload_solid(&self) -> Option<Solid> {
         self.payload.as_ref().map(|body| body.solid(&CylinderDefaults::PAYLOAD))

@@ -171,11 +171,6 @@ impl Model {
         self.members[segment].is_rope()
     }
 
-    /// The system's class number of a segment.
-    pub fn class_of(&self, segment: usize) -> usize {
-        self.system.segments()[segment].class
-    }
-
     /// The segments of rope that meet at some node of `nodes`.
     pub fn ropes_at(&self, nodes: &[usize]) -> Vec<usize> {
         let meets = |s: &Segment| s.ends.iter().any(|end| nodes.contains(end));
