@@ -1,7 +1,9 @@
 //! What a model's nodes and segments mean to who measures them.
 
-use netcast_results::{Landmark, Landmarks, LinkClass};
-use netcast_scenario::lower::Model;
+use glam::DVec3;
+use netcast_results::{BodyKind, BodyMark, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
+use netcast_scenario::body::Solid;
+use netcast_scenario::lower::{Model, PlacedBody, Role};
 use netcast_webs::Class;
 
 /// The landmarks of a model.
@@ -22,11 +24,11 @@ pub fn landmarks(model: &Model) -> Landmarks {
         }
     }
     let bottom = points.iter().find(|p| p.name == "B").map_or(Vec::new(), |b| b.segments.clone());
-    let classes = model.classes.iter().zip(&model.strengths).map(|(class, &strength)| LinkClass {
-        name: class.name().to_owned(),
-        is_rope: *class != Class::Canopy,
-        strength,
-    });
+    let (classes, ropes, groups) = groups(model);
+    let mouth: Vec<Vec<usize>> = match web.corners.len() {
+        0 | 1 => web.outline.clone(),
+        _ => web.corners.iter().map(|&corner| vec![corner]).collect(),
+    };
     let flat_posture = match web.outline.len() {
         0 => 0.0,
         count => {
@@ -39,10 +41,63 @@ pub fn landmarks(model: &Model) -> Landmarks {
         outline: web.outline.clone(),
         reference_area: web.reference_area(),
         flat_posture,
+        corners: web.corners.clone(),
+        mouth_reach: reach(&mouth.iter().map(|knots| web.mean_position(knots)).collect::<Vec<_>>()),
+        mouth,
+        cells: model.cells.clone(),
+        target_diameter: model.scenario.measure.target_diameter.map(|diameter| diameter.si()),
         tractors: model.tractors.clone(),
         centre: web.centre.clone(),
         points,
         bottom,
-        classes: classes.collect(),
+        classes,
+        ropes,
+        groups,
+        canopies: web.canopies.iter().map(|c| CanopyMark { hub: c.hub, rim: c.rim.to_vec() }).collect(),
+        bodies: model.bodies.iter().map(body_mark).collect(),
     }
+}
+
+/// Link classes, kinds of rope, and both of each of the system's classes.
+fn groups(model: &Model) -> (Vec<LinkClass>, Vec<NamedRope>, Vec<Group>) {
+    let (mut classes, mut ropes): (Vec<LinkClass>, Vec<NamedRope>) = (Vec::new(), Vec::new());
+    let mut groups = Vec::new();
+    for group in &model.groups {
+        let class = classes.iter().position(|class| class.name == group.class.name()).unwrap_or_else(|| {
+            let is_rope = group.class != Class::Canopy;
+            classes.push(LinkClass { name: group.class.name().to_owned(), is_rope, strength: None });
+            classes.len() - 1
+        });
+        // a class is as strong as its weakest rope
+        let known = classes[class].strength;
+        classes[class].strength = known.into_iter().chain(group.strength).reduce(f64::min);
+        let rope = group.rope.as_ref().map(|name| {
+            ropes.iter().position(|rope| rope.name == *name).unwrap_or_else(|| {
+                let (strength, knot_reduction) = (group.strength, group.knot_reduction);
+                ropes.push(NamedRope { name: name.clone(), strength, knot_reduction });
+                ropes.len() - 1
+            })
+        });
+        groups.push(Group { class, rope });
+    }
+    (classes, ropes, groups)
+}
+
+/// The distance of each place from their mean in the web's plane, m.
+fn reach(places: &[DVec3]) -> Vec<f64> {
+    let middle = places.iter().sum::<DVec3>() / places.len() as f64;
+    places.iter().map(|place| (place - middle).truncate().length()).collect()
+}
+
+fn body_mark(body: &PlacedBody) -> BodyMark {
+    let kind = match body.role {
+        Role::Tractor => BodyKind::Tractor,
+        Role::Payload => BodyKind::Payload,
+        Role::Sensor => BodyKind::Sensor,
+    };
+    let size_m = match body.solid {
+        Solid::Cylinder { diameter_m, height_m, .. } => Some([diameter_m, height_m]),
+        Solid::Particle { .. } => None,
+    };
+    BodyMark { kind, node: body.node, size_m }
 }

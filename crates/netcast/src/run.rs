@@ -115,7 +115,9 @@ pub fn run(
     let end_s = schedule.time(schedule.count);
     let mut tell = |time_s: f64| progress(Progress { time_s, end_s });
     let (system, state) = (&model.system, &model.state);
-    let mut recorder = Recorder::new(system, state, landmarks(&model), fields_every, &mut tell, interrupted)?;
+    let landmarks = landmarks(&model);
+    landmarks.write(&folder.path().join(folder::LANDMARKS))?;
+    let mut recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
     let outcome = simulate(system, state, &schedule, options.threads, &mut recorder);
     let solve = &model.scenario.solve;
     let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()))?;
@@ -150,6 +152,10 @@ pub fn run(
         points: recording.points.clone(),
         tension: recording.tension.clone(),
         posture: recording.posture.clone(),
+        mouth: recording.mouth.clone(),
+        target: recording.target.clone(),
+        flight: recording.flight.clone(),
+        stowed: stowed(&model),
         energy: recording.energy.clone(),
         warnings,
     };
@@ -161,6 +167,19 @@ pub fn run(
     manifest.write(&folder.path().join(folder::MANIFEST))?;
     netcast_report::write_report(folder.path())?;
     Ok(Ran { summary, folder: folder.publish()?, failure })
+}
+
+/// The audit of the state at the start.
+fn stowed(model: &Model) -> summary::Stowed {
+    let audit = &model.audit;
+    summary::Stowed {
+        longest_stretch: audit.longest.map(|longest| longest.stretch),
+        longest_stretch_where: audit.longest.map(|longest| model.segment_label(longest.segment)),
+        stretched: audit.stretched,
+        stored_energy_j: audit.stored_energy,
+        packed_radius_m: audit.packed_radius,
+        packed_height_m: audit.packed_height,
+    }
 }
 
 /// The first tolerance that the balance misses.

@@ -24,32 +24,33 @@ pub enum ReportError {
         /// The reason given.
         source: serde_json::Error,
     },
-    /// The history is no table.
-    #[error("{} is not a valid table: {source}", path.display())]
-    Csv {
-        /// The file.
+    /// A file of the result folder is not what it should be.
+    #[error(transparent)]
+    Result(#[from] netcast_results::ResultError),
+    /// The landmarks name a node that the fields do not have.
+    #[error("{} names node {node}, but the fields hold {nodes} nodes: they are of another run", path.display())]
+    UnknownNode {
+        /// The file of the landmarks.
         path: PathBuf,
-        /// The reason given.
-        source: csv::Error,
+        /// The node.
+        node: usize,
+        /// Number of nodes of the fields.
+        nodes: usize,
     },
-    /// A cell of the history is neither empty nor a number.
-    #[error("{}, line {line}, column {column}: expected a number, found `{text}`", path.display())]
-    NotANumber {
-        /// The file.
-        path: PathBuf,
-        /// Line in the file, from 1.
-        line: u64,
-        /// The column's name.
-        column: String,
-        /// What stands there.
-        text: String,
-    },
-    /// The page cannot be written.
+    /// A page or a picture cannot be written.
     #[error("cannot write {}: {source}", path.display())]
     Write {
-        /// The page.
+        /// The file.
         path: PathBuf,
         /// The reason given.
         source: io::Error,
+    },
+    /// The result does not hold what pictures are drawn from.
+    #[error("no pictures of {}: {missing}; run the scenario again to have it", folder.display())]
+    NoFields {
+        /// The result folder.
+        folder: PathBuf,
+        /// What is not there.
+        missing: &'static str,
     },
 }

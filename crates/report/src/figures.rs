@@ -18,24 +18,24 @@ pub(crate) struct Figure {
     pub id: &'static str,
     pub title: &'static str,
     pub note: &'static str,
-    quantity: &'static str,
-    unit: String,
-    curves: Vec<Curve>,
+    pub quantity: &'static str,
+    pub unit: String,
+    pub curves: Vec<Curve>,
     /// Spell of time to shade, s.
-    shaded: Option<(f64, f64)>,
+    pub shaded: Option<(f64, f64)>,
 }
 
-struct Curve {
-    name: String,
+pub(crate) struct Curve {
+    pub name: String,
     /// Time, s, and value.
-    points: Vec<(f64, Option<f64>)>,
+    pub points: Vec<(f64, Option<f64>)>,
     /// Place in the palette; `None` is the colour of the grid.
-    colour: Option<usize>,
-    style: Style,
+    pub colour: Option<usize>,
+    pub style: Style,
 }
 
-#[derive(Clone, Copy)]
-enum Style {
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Style {
     Line,
     Dashed,
     /// A companion of the line before it, in the same colour and without a name of its own in the legend.
@@ -44,11 +44,25 @@ enum Style {
 
 /// The figures that a result has anything for, in the order of the page.
 pub(crate) fn figures(results: &Results) -> Vec<Figure> {
-    [areas, speeds, travels, class_tensions, point_tensions, energies, residual]
-        .iter()
-        .filter_map(|figure| figure(results))
-        .filter(|figure| !figure.curves.is_empty())
-        .collect()
+    [
+        areas,
+        coverage,
+        speeds,
+        travels,
+        class_tensions,
+        point_tensions,
+        canopy_tensions,
+        postures,
+        tilt,
+        asymmetry,
+        heights,
+        energies,
+        residual,
+    ]
+    .iter()
+    .filter_map(|figure| figure(results))
+    .filter(|figure| !figure.curves.is_empty())
+    .collect()
 }
 
 fn areas(results: &Results) -> Option<Figure> {
@@ -57,13 +71,13 @@ fn areas(results: &Results) -> Option<Figure> {
         ("area_m2", "outline area", Style::Line),
         // lies on the outline area wherever the web faces along the axis
         ("vector_area_m2", "vector area", Style::Dashed),
-        ("shadow_area_m2", "shadow area", Style::Line),
+        ("shadow_area_m2", "silhouette", Style::Line),
         ("tractor_area_m2", "tractors' polygon", Style::Line),
     ];
     let mut curves = Vec::new();
     for (colour, (column, name, style)) in named.into_iter().enumerate() {
-        if let Some(values) = results.history.column(column) {
-            curves.push(Curve { style, ..Curve::new(name, time, values, colour) });
+        if let Some(values) = results.column(column) {
+            curves.push(Curve { style, ..Curve::new(name, &time, &values, colour) });
         }
     }
     let opening = &results.summary["opening"];
@@ -79,12 +93,81 @@ fn areas(results: &Results) -> Option<Figure> {
     Some(Figure {
         id: "areas",
         title: "Area",
-        note: "Seen along the launch axis; the vector area, as it faces. Shaded: the longest spell 80 % open.",
+        note: "Along the launch axis; the vector area as it faces; folds do not cancel in the silhouette. Shaded: 80 % open.",
         quantity: "area",
         unit: "m²".into(),
         curves,
         shaded: opening["effective_from_s"].as_f64().zip(opening["effective_to_s"].as_f64()),
     })
+}
+
+fn coverage(results: &Results) -> Option<Figure> {
+    let target = &results.summary["target"];
+    Some(Figure {
+        id: "coverage",
+        title: "Target covered",
+        note: "Share of a disc of the target's size, centred on the mouth, within the silhouette. Shaded: wholly covered.",
+        quantity: "covered",
+        unit: "%".into(),
+        curves: vec![single(results, "target_coverage", "target", 100.0)?],
+        shaded: target["covered_from_s"].as_f64().zip(target["covered_to_s"].as_f64()),
+    })
+}
+
+fn postures(results: &Results) -> Option<Figure> {
+    let posture = &results.summary["posture"];
+    Some(Figure {
+        id: "posture",
+        title: "Posture",
+        note: "How far the middle leads the outline, over the flat web's size: below zero concave. Shaded: concave.",
+        quantity: "lead of the middle",
+        unit: "%".into(),
+        curves: vec![single(results, "posture", "posture", 100.0)?],
+        shaded: posture["concave_from_s"].as_f64().zip(posture["concave_to_s"].as_f64()),
+    })
+}
+
+fn tilt(results: &Results) -> Option<Figure> {
+    Some(Figure {
+        id: "tilt",
+        title: "Tilt of the mouth",
+        note: "Angle between the mouth and the launch axis.",
+        quantity: "tilt",
+        unit: "°".into(),
+        curves: vec![single(results, "mouth_tilt_rad", "tilt", 1.0_f64.to_degrees())?],
+        shaded: None,
+    })
+}
+
+fn asymmetry(results: &Results) -> Option<Figure> {
+    Some(Figure {
+        id: "asymmetry",
+        title: "Asymmetry of the mouth",
+        note: "Spread of the corners' reach, each over that in the flat web.",
+        quantity: "asymmetry",
+        unit: "%".into(),
+        curves: vec![single(results, "mouth_asymmetry", "asymmetry", 100.0)?],
+        shaded: None,
+    })
+}
+
+fn heights(results: &Results) -> Option<Figure> {
+    let flight = &results.summary["flight"];
+    Some(Figure {
+        id: "height",
+        title: "Height",
+        note: "The web's centre of mass above the muzzle. Shaded: within 5 % of its apex.",
+        quantity: "height",
+        unit: "m".into(),
+        curves: vec![single(results, "mass_centre_height_m", "centre of mass", 1.0)?],
+        shaded: flight["hang_from_s"].as_f64().zip(flight["hang_to_s"].as_f64()),
+    })
+}
+
+/// One column as a curve, its values times `factor`.
+fn single(results: &Results, column: &str, name: &str, factor: f64) -> Option<Curve> {
+    let values: Vec<Option<f64>> = results.column(column)?.iter().map(|v| v.map(|v| factor * v)).collect();
+    Some(Curve::new(name, &times(results)?, &values, 0))
 }
 
 fn speeds(results: &Results) -> Option<Figure> {
@@ -112,29 +195,41 @@ fn travels(results: &Results) -> Option<Figure> {
 }
 
 fn class_tensions(results: &Results) -> Option<Figure> {
+    let note = "Per rope. Solid: the hardest pulled rope of the class; dotted: their mean.";
+    let is_rope = |class: &str| class != CANOPY && class != OF_ALL_ROPES;
+    tensions(results, "class-tensions", "Tension by link class", note, is_rope)
+}
+
+/// Apart from the ropes: cloth is stiffer, and its members' tensions would hide theirs.
+fn canopy_tensions(results: &Results) -> Option<Figure> {
+    let note = "Per member that stands for a canopy's cloth. Solid: the hardest pulled one; dotted: their mean.";
+    tensions(results, "canopy-tensions", "Tension in canopies", note, |class| class == CANOPY)
+}
+
+/// The link class of canopy members, and the history's name for the highest tension of all ropes.
+const CANOPY: &str = "canopy";
+const OF_ALL_ROPES: &str = "tension";
+
+/// Largest and mean tension of the link classes that are `chosen`.
+fn tensions(
+    results: &Results,
+    id: &'static str,
+    title: &'static str,
+    note: &'static str,
+    chosen: fn(&str) -> bool,
+) -> Option<Figure> {
     let time = times(results)?;
     let mut curves = Vec::new();
-    let maxima = results.history.filled().filter_map(|(column, values)| Some((column.strip_suffix("_max_n")?, values)));
-    // the highest of all is no class of its own
-    for (colour, (class, values)) in maxima.filter(|(class, _)| *class != "tension").enumerate() {
-        curves.push(Curve::new(class, time, values, colour));
-        if let Some(mean) = results.history.column(&format!("{class}_mean_n")) {
-            let mean = Curve::new(&format!("{class}, mean"), time, mean, colour);
+    let maxima = results.filled().filter_map(|(column, values)| Some((column.strip_suffix("_max_n")?, values)));
+    for (colour, (class, values)) in maxima.filter(|(class, _)| chosen(class)).enumerate() {
+        curves.push(Curve::new(class, &time, &values, colour));
+        if let Some(mean) = results.column(&format!("{class}_mean_n")) {
+            let mean = Curve::new(&format!("{class}, mean"), &time, &mean, colour);
             curves.push(Curve { style: Style::Companion, ..mean });
         }
     }
-    Some(scaled(
-        Figure {
-            id: "class-tensions",
-            title: "Tension by link class",
-            note: "Per rope. Solid: the hardest pulled rope of the class; dotted: their mean.",
-            quantity: "tension",
-            unit: String::new(),
-            curves,
-            shaded: None,
-        },
-        "N",
-    ))
+    let unit = String::new();
+    Some(scaled(Figure { id, title, note, quantity: "tension", unit, curves, shaded: None }, "N"))
 }
 
 fn point_tensions(results: &Results) -> Option<Figure> {
@@ -171,7 +266,7 @@ fn energies(results: &Results) -> Option<Figure> {
 }
 
 fn residual(results: &Results) -> Option<Figure> {
-    let values = results.history.column("energy_residual_j")?;
+    let values = results.column("energy_residual_j")?;
     Some(scaled(
         Figure {
             id: "residual",
@@ -179,24 +274,24 @@ fn residual(results: &Results) -> Option<Figure> {
             note: "What the channels leave unexplained: the smaller, the better the run.",
             quantity: "residual",
             unit: String::new(),
-            curves: vec![Curve::new("residual", times(results)?, values, 0)],
+            curves: vec![Curve::new("residual", &times(results)?, &values, 0)],
             shaded: None,
         },
         "J",
     ))
 }
 
-fn times(results: &Results) -> Option<&[Option<f64>]> {
-    results.history.column("time_s")
+fn times(results: &Results) -> Option<Vec<Option<f64>>> {
+    results.column("time_s")
 }
 
 /// A curve for each column that ends in `suffix`.
 fn by_suffix(results: &Results, suffix: &str, name: fn(&str) -> String) -> Option<Vec<Curve>> {
     let time = times(results)?;
-    let columns = results.history.filled().filter_map(|(column, values)| Some((column.strip_suffix(suffix)?, values)));
-    let curve = |(place, (part, values)): (usize, (&str, &[Option<f64>]))| {
+    let columns = results.filled().filter_map(|(column, values)| Some((column.strip_suffix(suffix)?, values)));
+    let curve = |(place, (part, values)): (usize, (&str, Vec<Option<f64>>))| {
         let colour = part_colour(part).unwrap_or(place);
-        Curve::new(&name(part), time, values, colour)
+        Curve::new(&name(part), &time, &values, colour)
     };
     Some(columns.enumerate().map(curve).collect())
 }
@@ -265,7 +360,7 @@ impl Figure {
 }
 
 /// A long curve by the lowest and the highest point of each stretch of it, so that no peak is lost.
-fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)> {
+pub(crate) fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)> {
     if points.len() <= MOST_POINTS {
         return points;
     }
@@ -288,7 +383,7 @@ fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)> {
 }
 
 /// Six significant digits: more than a screen shows, a third of the bytes.
-fn six_digits(value: f64) -> f64 {
+pub(crate) fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 

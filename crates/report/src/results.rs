@@ -1,72 +1,96 @@
-//! What the report reads of a result folder.
+//! What a report reads of a result folder.
 
-use std::fs;
 use std::path::Path;
 
+use glam::DVec3;
+use netcast_results::{Fields, History, Landmarks, folder, read_fields};
 use serde_json::Value;
 
 use crate::ReportError;
 
-/// The three files of a result folder that a report is made of.
+/// A result folder, read.
 pub(crate) struct Results {
     pub summary: Value,
     pub manifest: Value,
     pub history: History,
+    /// The scenario as resolved; empty where the folder does not have it.
+    pub scenario: String,
+    /// Where everything was; none where the folder does not hold the fields.
+    pub scene: Option<Scene>,
 }
 
-/// A table of numbers by column; `None` is an empty cell.
-pub(crate) struct History {
-    columns: Vec<(String, Vec<Option<f64>>)>,
+/// Where every node was and what every segment bore, with what of it has a meaning.
+pub(crate) struct Scene {
+    pub fields: Fields,
+    pub landmarks: Landmarks,
 }
 
 impl Results {
-    pub(crate) fn read(folder: &Path) -> Result<Self, ReportError> {
+    pub(crate) fn read(from: &Path) -> Result<Self, ReportError> {
+        let optional = |name: &str| Some(from.join(name)).filter(|path| path.exists());
+        let scenario = optional(folder::INPUTS).map(|inputs| inputs.join("scenario.toml"));
+        let scene = match (optional(folder::FIELDS), optional(folder::LANDMARKS)) {
+            (Some(fields), Some(landmarks)) => Scene::read(&fields, &landmarks)?,
+            _ => None,
+        };
         Ok(Self {
-            summary: read_json(&folder.join("summary.json"))?,
-            manifest: read_json(&folder.join("manifest.json"))?,
-            history: History::read(&folder.join("history.csv"))?,
+            summary: read_json(&from.join(folder::SUMMARY))?,
+            manifest: read_json(&from.join(folder::MANIFEST))?,
+            history: History::read(&from.join(folder::HISTORY))?,
+            scenario: scenario
+                .filter(|path| path.exists())
+                .map(|path| read_text(&path))
+                .transpose()?
+                .unwrap_or_default(),
+            scene,
         })
     }
-}
 
-impl History {
-    fn read(path: &Path) -> Result<Self, ReportError> {
-        let malformed = |source: csv::Error| ReportError::Csv { path: path.to_path_buf(), source };
-        let file = fs::File::open(path).map_err(|source| ReportError::Read { path: path.to_path_buf(), source })?;
-        let mut reader = csv::Reader::from_reader(file);
-        let header = reader.headers().map_err(malformed)?;
-        let mut columns: Vec<(String, Vec<Option<f64>>)> =
-            header.iter().map(|name| (name.to_owned(), Vec::new())).collect();
-        for record in reader.records() {
-            let record = record.map_err(malformed)?;
-            for (cell, (name, values)) in record.iter().zip(&mut columns) {
-                let value = if cell.is_empty() { Ok(None) } else { cell.parse().map(Some) };
-                values.push(value.map_err(|_| ReportError::NotANumber {
-                    path: path.to_path_buf(),
-                    line: record.position().map_or(0, csv::Position::line),
-                    column: name.clone(),
-                    text: cell.to_owned(),
-                })?);
-            }
-        }
-        Ok(Self { columns })
-    }
-
-    /// The cells of the column of this name, where there is one with any number in it.
-    pub(crate) fn column(&self, name: &str) -> Option<&[Option<f64>]> {
-        self.filled().find(|(column, _)| *column == name).map(|(_, values)| values)
+    /// The cells of a column of the history, where it holds any number.
+    pub(crate) fn column(&self, name: &str) -> Option<Vec<Option<f64>>> {
+        let cells: Vec<Option<f64>> = self.history.values(name)?.collect();
+        cells.iter().any(Option::is_some).then_some(cells)
     }
 
     /// The columns that hold any number, in the order of the file.
-    pub(crate) fn filled(&self) -> impl Iterator<Item = (&str, &[Option<f64>])> {
-        self.columns
-            .iter()
-            .filter(|(_, values)| values.iter().any(Option::is_some))
-            .map(|(name, values)| (name.as_str(), values.as_slice()))
+    pub(crate) fn filled(&self) -> impl Iterator<Item = (&str, Vec<Option<f64>>)> {
+        self.history.columns().iter().filter_map(|name| Some((name.as_str(), self.column(name)?)))
     }
 }
 
-fn read_json(path: &Path) -> Result<Value, ReportError> {
-    let text = fs::read_to_string(path).map_err(|source| ReportError::Read { path: path.to_path_buf(), source })?;
-    serde_json::from_str(&text).map_err(|source| ReportError::Json { path: path.to_path_buf(), source })
+impl Scene {
+    /// None where the run recorded no fields.
+    fn read(fields: &Path, landmarks: &Path) -> Result<Option<Self>, ReportError> {
+        let (scene, path) = (Self { fields: read_fields(fields)?, landmarks: Landmarks::read(landmarks)? }, landmarks);
+        if let Some(node) = scene.landmarks.nodes().find(|&node| node >= scene.fields.topology.nodes) {
+            let (path, nodes) = (path.to_path_buf(), scene.fields.topology.nodes);
+            return Err(ReportError::UnknownNode { path, node, nodes });
+        }
+        Ok((!scene.fields.times.is_empty()).then_some(scene))
+    }
+
+    /// Number of frames; at least one.
+    pub(crate) fn frames(&self) -> usize {
+        self.fields.times.len()
+    }
+
+    /// The frame nearest to a time, s.
+    pub(crate) fn frame_at(&self, time: f64) -> usize {
+        let distance = |frame: usize| (self.fields.times[frame] - time).abs();
+        (0..self.frames()).min_by(|&one, &other| distance(one).total_cmp(&distance(other))).unwrap_or(0)
+    }
+
+    /// The mean of some nodes in a frame, m.
+    pub(crate) fn mean(&self, frame: usize, nodes: &[usize]) -> DVec3 {
+        let positions = self.fields.positions(frame);
+        nodes.iter().map(|&node| positions[node]).sum::<DVec3>() / nodes.len() as f64
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, ReportError> {
+    std::fs::read_to_string(path).map_err(|source| ReportError::Read { path: path.to_path_buf(), source })
+}
+
+pub(crate) fn read_json(path: &Path) -> Result<Value, ReportError> {
+    serde_json::from_str(&read_text(path)?).map_err(|source| ReportError::Json { path: path.to_path_buf(), source })
 }

@@ -9,7 +9,16 @@ const NOTHING: &str = "<td class=\"nothing\">–</td>";
 
 /// All tables of a summary as one piece of HTML.
 pub(crate) fn tables(summary: &Value) -> String {
-    [opening(summary), points(summary), tension(summary), energy(summary), model(summary)].concat()
+    [
+        opening(summary),
+        points(summary),
+        tension(summary),
+        ropes(summary),
+        mouth(summary),
+        energy(summary),
+        model(summary),
+    ]
+    .concat()
 }
 
 fn opening(summary: &Value) -> String {
@@ -26,6 +35,8 @@ fn opening(summary: &Value) -> String {
             ("Share of the flat web", share.map(|(area, reference)| percent(area / reference))),
             ("Area of the flat web", area("reference_area_m2")),
             ("Largest vector area", area("vector_area_max_m2")),
+            ("Largest silhouette", area("shadow_area_max_m2")),
+            ("Time of largest silhouette", time_of(opening, "shadow_area_max_time_s")),
             ("At least 80 % open from", time_of(opening, "effective_from_s")),
             ("At least 80 % open until", time_of(opening, "effective_to_s")),
             ("At least 80 % open in all", time_of(opening, "effective_duration_s")),
@@ -80,6 +91,78 @@ fn tension(summary: &Value) -> String {
     grid("Tension per rope", "Ropes", &heads, rows)
 }
 
+fn ropes(summary: &Value) -> String {
+    let ropes = || entries(&summary["tension"]["by_rope"]);
+    let largest = ropes().flat_map(|(_, rope)| ["max_n", "strength_n"].map(|key| rope[key].as_f64().unwrap_or(0.0)));
+    let scale = Scale::fitting(largest.fold(0.0, f64::max), "N");
+    let rows = ropes().map(|(name, rope)| {
+        let force = |key: &str| rope[key].as_f64().map(|force| significant(force / scale.divisor));
+        let share = |key: &str| rope[key].as_f64().map(percent);
+        let margin = rope["margin"].as_f64().map(significant);
+        let cells = [
+            force("min_n"),
+            force("mean_n"),
+            force("max_n"),
+            force("strength_n"),
+            share("knot_reduction"),
+            share("utilisation"),
+            margin,
+        ];
+        (name.clone(), cells.map(Option::unwrap_or_default).to_vec())
+    });
+    let force = |name: &str| format!("{name}, {}", scale.unit);
+    let heads = [force("Least"), force("Mean"), force("Most"), force("Strength")];
+    let heads = heads.into_iter().chain(["Knots take", "Used", "Margin"].map(str::to_owned));
+    grid("Use of each rope", "Rope", &heads.collect::<Vec<_>>(), rows.collect())
+}
+
+fn mouth(summary: &Value) -> String {
+    let (mouth, target, flight) = (&summary["mouth"], &summary["target"], &summary["flight"]);
+    let degrees = |key: &str| mouth[key].as_f64().map(|tilt| format!("{:.2}°", tilt.to_degrees()));
+    let share = |value: &Value| value.as_f64().map(percent);
+    let metres = |value: &Value| value.as_f64().map(|length| format!("{} m", significant(length)));
+    let seconds = |value: &Value| value.as_f64().map(time);
+    pairs(
+        "Mouth, target and flight",
+        &[
+            ("Tilt at the largest area", degrees("tilt_at_area_max_rad")),
+            ("Largest tilt while 80 % open", degrees("tilt_max_open_rad")),
+            ("Asymmetry at the largest area", share(&mouth["asymmetry_at_area_max"])),
+            ("Largest asymmetry while 80 % open", share(&mouth["asymmetry_max_open"])),
+            ("Target's diameter", metres(&target["diameter_m"])),
+            ("Target covered at most", share(&target["coverage_max"])),
+            ("Target covered from", seconds(&target["covered_from_s"])),
+            ("Target covered until", seconds(&target["covered_to_s"])),
+            ("Target covered in all", seconds(&target["covered_duration_s"])),
+            ("Apex of the centre of mass", metres(&flight["apex_height_m"])),
+            ("Time of the apex", seconds(&flight["apex_time_s"])),
+            ("Hangs within 5 % of it for", seconds(&flight["hang_time_s"])),
+        ],
+    )
+}
+
+/// The audit of the state at the start.
+pub(crate) fn stowed(summary: &Value) -> String {
+    let stowed = &summary["stowed"];
+    let metres = |key: &str| stowed[key].as_f64().map(|length| format!("{} m", significant(length)));
+    let stretch = stowed["longest_stretch"].as_f64().map(|stretch| match stretch {
+        s if s > 1e-9 => format!("{} too long", percent(s)),
+        s if s > -1e-9 => "at its rest length".into(),
+        s => format!("{} short of its rest length", percent(-s)),
+    });
+    pairs(
+        "State at the start",
+        &[
+            ("Stretched members", stowed["stretched"].as_u64().map(grouped)),
+            ("Nearest to stretched", stowed["longest_stretch_where"].as_str().map(str::to_owned)),
+            ("which is", stretch),
+            ("Stored energy", stowed["stored_energy_j"].as_f64().map(|energy| with_prefix(energy, "J"))),
+            ("Packed radius", metres("packed_radius_m")),
+            ("Packed height", metres("packed_height_m")),
+        ],
+    )
+}
+
 fn energy(summary: &Value) -> String {
     let energy = &summary["energy"];
     let joules = |value: &Value| value.as_f64().map(|value| with_prefix(value, "J"));
@@ -123,7 +206,7 @@ fn entries(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
 }
 
 /// Thin spaces between the thousands.
-fn grouped(count: u64) -> String {
+pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (place, digit) in digits.chars().enumerate() {

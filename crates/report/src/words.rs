@@ -23,11 +23,15 @@ pub fn words(summary: &Value) -> Vec<String> {
             unfinished,
             opening,
             effective_opening,
+            target,
             hardest_pull,
+            worst_rope,
             bottom_pull,
             tractors,
             fastest_point,
             posture,
+            mouth,
+            hang,
             energy,
         ],
     };
@@ -75,17 +79,29 @@ fn hardest_pull(summary: &Value) -> Option<String> {
     let class = tension["max_where"].as_str();
     let rope = class.map(|class| format!(" is {} {class} rope", article(class))).unwrap_or(" bears".into());
     let colon = if class.is_some() { ":" } else { "" };
-    let margin = class.and_then(|class| tension["by_class"][class]["margin"].as_f64());
-    let margin = margin.map(|margin| match margin >= 1.0 {
-        true => format!("; its strength is {} times that", significant(margin)),
-        false => format!(", beyond its strength (margin {})", significant(margin)),
-    });
-    Some(format!(
-        "The hardest pulled rope{rope}{colon} {}{}{}.",
-        with_prefix(max, "N"),
-        at(&tension["max_time_s"]),
-        margin.unwrap_or_default()
-    ))
+    Some(format!("The hardest pulled rope{rope}{colon} {}{}.", with_prefix(max, "N"), at(&tension["max_time_s"])))
+}
+
+/// The rope that comes nearest to breaking, of those whose strength is given.
+fn worst_rope(summary: &Value) -> Option<String> {
+    let ropes = summary["tension"]["by_rope"].as_object()?.iter();
+    let used = ropes.filter_map(|(name, rope)| Some((name, rope, rope["utilisation"].as_f64()?)));
+    let (name, rope, utilisation) = used.max_by(|(_, _, a), (_, _, b)| a.total_cmp(b)).filter(|(_, _, u)| *u > 0.0)?;
+    let whose = match name.as_str() {
+        "rope" => "The default rope".to_owned(),
+        name => format!("Rope {name}"),
+    };
+    let class = rope["max_where"].as_str().map(|class| format!(", in {} {class} rope", article(class)));
+    let knots = rope["knot_reduction"].as_f64().filter(|share| *share > 0.0);
+    let left = match knots {
+        Some(share) => format!("of the strength that knots leave it ({} less)", percent(share)),
+        None => "of its strength".into(),
+    };
+    let so = match utilisation <= 1.0 {
+        true => format!("a margin of {}", significant(1.0 / utilisation)),
+        false => format!("it would break (margin {})", significant(1.0 / utilisation)),
+    };
+    Some(format!("{whose} is worst off: {} {left}{}; {so}.", percent(utilisation), class.unwrap_or_default()))
 }
 
 fn bottom_pull(summary: &Value) -> Option<String> {
@@ -144,6 +160,45 @@ fn posture(summary: &Value) -> Option<String> {
     Some(format!("The middle {} the outline {}{}.", first.1, first.2, then.unwrap_or_default()))
 }
 
+fn target(summary: &Value) -> Option<String> {
+    let target = &summary["target"];
+    let size = format!("A target of {} m", significant(target["diameter_m"].as_f64()?));
+    let most = target["coverage_max"].as_f64()?;
+    let (Some(from), Some(to)) = (target["covered_from_s"].as_f64(), target["covered_to_s"].as_f64()) else {
+        let when = at(&target["coverage_max_time_s"]);
+        return Some(format!("{size} is never wholly covered: {} of it at most{when}.", percent(most)));
+    };
+    let spell = to - from;
+    let total = target["covered_duration_s"].as_f64().unwrap_or(spell);
+    let rest = match total > spell * 1.001 + 1e-9 {
+        true => format!(", its longest spell; {} in all", time(total)),
+        false => format!(", for {}", time(spell)),
+    };
+    Some(format!("{size} is wholly covered from {} to {}{rest}.", time(from), time(to)))
+}
+
+fn mouth(summary: &Value) -> Option<String> {
+    let mouth = &summary["mouth"];
+    let tilt = mouth["tilt_max_open_rad"].as_f64()?.to_degrees();
+    let uneven = mouth["asymmetry_max_open"].as_f64();
+    let uneven = uneven.map(|share| format!(", and the reach of its corners differs by {} at most", percent(share)));
+    let tilt = if tilt < 0.05 { "less than 0.1".into() } else { format!("at most {tilt:.1}") };
+    Some(format!("While it is open the mouth leans by {tilt}°{}.", uneven.unwrap_or_default()))
+}
+
+fn hang(summary: &Value) -> Option<String> {
+    let flight = &summary["flight"];
+    let (apex, hang) = (flight["apex_height_m"].as_f64()?, flight["hang_time_s"].as_f64()?);
+    let least = if flight["still_up"].as_bool() == Some(true) { "at least " } else { "" };
+    let cut = if least.is_empty() { "" } else { ", up to the end of the run" };
+    Some(format!(
+        "The web's centre of mass rises to {} m{} and hangs within 5 % of that for {least}{}{cut}.",
+        significant(apex),
+        at(&flight["apex_time_s"]),
+        time(hang)
+    ))
+}
+
 fn energy(summary: &Value) -> Option<String> {
     let energy = &summary["energy"];
     let closure = energy["closure"].as_f64()?;
@@ -189,8 +244,16 @@ mod tests {
             "tension": {
                 "max_n": 51000.0, "max_time_s": 0.15, "max_where": "outline",
                 "bottom_max_n": 14200.0, "bottom_mean_n": 3900.0,
-                "by_class": {"outline": {"max_n": 51000.0, "margin": 1.84}}
+                "by_class": {"outline": {"max_n": 51000.0, "margin": 2.3}},
+                "by_rope": {
+                    "rope": {"max_n": 9000.0, "utilisation": null},
+                    "border": {"max_n": 51000.0, "max_where": "outline", "utilisation": 0.5435, "knot_reduction": 0.2}
+                }
             },
+            "mouth": {"tilt_max_open_rad": 0.05, "asymmetry_max_open": 0.02},
+            "target": {"diameter_m": 1.5, "coverage_max": 1.0, "coverage_max_time_s": 0.06,
+                       "covered_from_s": 0.05, "covered_to_s": 0.26, "covered_duration_s": 0.21},
+            "flight": {"apex_height_m": 5.76, "apex_time_s": 0.539, "hang_time_s": 0.246, "still_up": true},
             "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
             "energy": {"closure": 0.0005, "closure_web": 0.0031, "tolerance": 0.003}
         })
@@ -213,11 +276,16 @@ mod tests {
             [
                 "Opens to 15.8 m² (97 % of the flat web) at 0.131 s.",
                 "At least 80 % open from 0.112 s to 0.193 s, for 0.081 s.",
-                "The hardest pulled rope is an outline rope: 51.0 kN at 0.150 s; its strength is 1.84 times that.",
+                "A target of 1.50 m is wholly covered from 0.050 s to 0.260 s, for 0.210 s.",
+                "The hardest pulled rope is an outline rope: 51.0 kN at 0.150 s.",
+                "Rope border is worst off: 54 % of the strength that knots leave it (20 % less), in an outline rope; a margin of 1.84.",
                 "The bottom ropes, which meet point B, bear up to 14.2 kN, 3.90 kN on average while the web opens.",
                 "The tractors travel 5.93 m along the launch axis by 0.500 s and span up to 32.4 m² at 0.160 s.",
                 "Point B is the fastest: 112 m/s at 0.070 s.",
                 "The middle trails the outline from 0.004 s until 0.187 s and leads it from 0.212 s.",
+                "While it is open the mouth leans by at most 2.9°, and the reach of its corners differs by 2 % at most.",
+                "The web's centre of mass rises to 5.76 m at 0.539 s and hangs within 5 % of that for at least 0.246 s, up to \
+                 the end of the run.",
                 "The energy balance closes to 0.05 % (0.31 % of what the web itself holds).",
             ]
         );
@@ -242,12 +310,15 @@ mod tests {
         let mut summary = full();
         summary["finished"] = json!(false);
         summary["opening"]["effective_from_s"] = json!(null);
-        summary["tension"]["by_class"]["outline"]["margin"] = json!(0.8);
+        summary["tension"]["by_rope"]["border"] = json!({"utilisation": 1.25});
+        summary["target"]["covered_from_s"] = json!(null);
+        summary["target"]["coverage_max"] = json!(0.62);
         summary["energy"]["closure"] = json!(0.02);
         let told = words(&summary);
         assert!(told[0].contains("stopped before its end"));
         assert_eq!(told[2], "Never reaches 80 % of the flat web.");
-        assert!(told[3].contains("beyond its strength (margin 0.800)"));
+        assert_eq!(told[3], "A target of 1.50 m is never wholly covered: 62 % of it at most at 0.060 s.");
+        assert_eq!(told[5], "Rope border is worst off: 125 % of its strength; it would break (margin 0.800).");
         assert!(told.last().unwrap().contains("off by 2 %") && told.last().unwrap().contains("do not trust"));
     }
 

@@ -16,14 +16,23 @@ use crate::{Manifest, ResultError};
 pub const INPUTS: &str = "inputs";
 /// The run in numbers.
 pub const SUMMARY: &str = "summary.json";
+/// The table of a comparison.
+pub const SUMMARY_CSV: &str = "summary.csv";
 /// One row a record step.
 pub const HISTORY: &str = "history.csv";
 /// Every node and rope at every record step.
 pub const FIELDS: &str = "fields.vtkhdf";
+/// What of the fields has a meaning.
+pub const LANDMARKS: &str = "landmarks.json";
 /// The page to look at.
 pub const REPORT: &str = "report.html";
+/// Pictures for documents, where they were asked for.
+pub const PICTURES: &str = "pictures";
 /// Who ran what, where and when.
 pub const MANIFEST: &str = "manifest.json";
+
+/// All that a result folder may hold of ours, the folders of a comparison's designs apart.
+pub const OURS: [&str; 9] = [INPUTS, SUMMARY, SUMMARY_CSV, HISTORY, FIELDS, LANDMARKS, REPORT, PICTURES, MANIFEST];
 
 /// A result folder in the making. Dropped before [`publish`](Self::publish), it leaves nothing behind.
 #[derive(Debug)]
@@ -131,16 +140,33 @@ fn unused_beside(target: &Path, role: &str) -> PathBuf {
     (0..).map(candidate).find(|path| !path.exists()).expect("names do not run out")
 }
 
-/// Moves what is not netcast's own from the old result to the new one: notes that a user left there stay.
+/// Moves what is not netcast's own from the old result to the new one: notes that a user left there stay, in the
+/// folders of a comparison's designs too.
 fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
+    let designs = designs_in(old);
     for entry in fs::read_dir(old).map_err(ResultError::read(old))? {
         let entry = entry.map_err(ResultError::read(old))?;
         let name = entry.file_name();
-        if ![INPUTS, SUMMARY, HISTORY, FIELDS, REPORT, MANIFEST].iter().any(|ours| name == *ours) {
-            fs::rename(entry.path(), new.join(&name)).map_err(ResultError::write(&new.join(&name)))?;
+        let to = new.join(&name);
+        if OURS.iter().any(|ours| name == *ours) {
+            continue;
+        } else if designs.iter().any(|design| name == **design) {
+            keep_foreign(&entry.path(), &to)?;
+        } else {
+            // where a design is not compared any more, its folder remains for the notes in it
+            fs::create_dir_all(new).map_err(ResultError::write(new))?;
+            fs::rename(entry.path(), &to).map_err(ResultError::write(&to))?;
         }
     }
     Ok(())
+}
+
+/// The folders of the designs that a comparison in `folder` holds; none in the result of a run.
+fn designs_in(folder: &Path) -> Vec<String> {
+    let summary = fs::read_to_string(folder.join(SUMMARY)).ok();
+    let summary: Option<serde_json::Value> = summary.and_then(|text| serde_json::from_str(&text).ok());
+    let designs = summary.as_ref().and_then(|summary| summary["designs"].as_array());
+    designs.into_iter().flatten().filter_map(|design| Some(design["folder"].as_str()?.to_owned())).collect()
 }
 
 #[cfg(test)]
@@ -190,6 +216,32 @@ mod tests {
         drop(folder);
         assert_eq!(fs::read_to_string(target.join("summary.json")).unwrap(), "first");
         assert_eq!(names_in(root.path()), ["net"]);
+    }
+
+    #[test]
+    fn a_comparison_replaces_the_folders_of_its_designs_and_keeps_the_notes_in_them() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("comparison");
+        let compare = |designs: &[&str]| {
+            let folder = ResultFolder::create(&target).unwrap();
+            let listed: Vec<_> = designs.iter().map(|name| serde_json::json!({"folder": name})).collect();
+            fs::write(folder.path().join(SUMMARY), serde_json::json!({"designs": listed}).to_string()).unwrap();
+            for design in designs {
+                fs::create_dir(folder.path().join(design)).unwrap();
+                fs::write(folder.path().join(design).join(HISTORY), "").unwrap();
+            }
+            sign(folder.path());
+            folder.publish().unwrap();
+        };
+        compare(&["ring", "square"]);
+        fs::write(target.join("ring").join("notes.md"), "").unwrap();
+        fs::create_dir(target.join("photographs")).unwrap();
+        compare(&["ring", "star"]);
+        assert_eq!(names_in(&target), ["manifest.json", "photographs", "ring", "star", "summary.json"]);
+        assert_eq!(names_in(&target.join("ring")), ["history.csv", "notes.md"]);
+        // what is left of a design that is compared no more is what the user wrote
+        compare(&["square", "star"]);
+        assert_eq!(names_in(&target.join("ring")), ["notes.md"]);
     }
 
     #[test]

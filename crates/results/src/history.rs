@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::ResultError;
+use crate::{ResultError, moments};
 
 /// Columns that every history has, before those of its points, classes and energy channels.
 const COMMON_COLUMNS: [&str; 8] = [
@@ -21,14 +21,14 @@ const COMMON_COLUMNS: [&str; 8] = [
 ];
 
 /// The columns of a history in their order: the common ones, then those of each feature point, link class and energy
-/// channel. A column that is there already is not repeated: of a point called `tractor`, `tractor_travel_m` is the mean
+/// channel, then what is measured of the web as a whole. A column that is there already is not repeated: of a point called `tractor`, `tractor_travel_m` is the mean
 /// over all tractors.
 ///
 /// ```
 /// let names = netcast_results::history::columns(&["B"], &["ring"], &["kinetic"]);
 /// assert_eq!(names[0], "time_s");
 /// assert_eq!(
-///     names[8..],
+///     names[8..17],
 ///     [
 ///         "B_x_m", "B_y_m", "B_z_m", "B_travel_m", "B_speed_m_s", "B_tension_n",
 ///         "ring_mean_n", "ring_max_n", "energy_kinetic_j",
@@ -45,6 +45,7 @@ pub fn columns<S: AsRef<str>>(points: &[S], classes: &[S], channels: &[S]) -> Ve
         names.extend(["mean_n", "max_n"].map(|what| format!("{}_{what}", class.as_ref())));
     }
     names.extend(channels.iter().map(|channel| format!("energy_{}_j", channel.as_ref())));
+    names.extend(moments::COLUMNS.map(str::to_owned));
     let mut seen = BTreeSet::new();
     names.retain(|name| seen.insert(name.clone()));
     names
@@ -134,7 +135,7 @@ impl History {
 }
 
 /// The shortest decimal that reads back to the same bits, with an exponent only below 1e-5 and from 1e16 on.
-fn decimal(value: f64) -> String {
+pub(crate) fn decimal(value: f64) -> String {
     let mut text = format!("{value:?}");
     if text.ends_with(".0") {
         text.truncate(text.len() - 2);
@@ -211,6 +212,6 @@ mod tests {
     #[test]
     fn a_row_of_the_wrong_length_is_refused() {
         let mut history = History::new(columns(&["A"], &["traction"], &[]));
-        assert!(matches!(history.push(vec![None]), Err(ResultError::Length { expected: 16, found: 1, .. })));
+        assert!(matches!(history.push(vec![None]), Err(ResultError::Length { expected: 23, found: 1, .. })));
     }
 }

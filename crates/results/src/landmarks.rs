@@ -1,13 +1,19 @@
 //! What of a system has a meaning: the launch axis, the outline, corners, tractors, feature points, link classes.
 //!
 //! The system itself knows nodes and segments by number only. Who makes the system says here what they are.
+//! `landmarks.json` keeps it beside the fields, whose numbers it explains.
+
+use std::fs;
+use std::path::Path;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
+use crate::ResultError;
 use crate::measures::{mean, vector_area};
 
 /// What is followed under one name: a point, or a group of them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Landmark {
     /// Its name in the results, such as "B" or "tractor".
     pub name: String,
@@ -32,27 +38,96 @@ impl Landmark {
 }
 
 /// A link class.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LinkClass {
     /// Its name in the results.
     pub name: String,
     /// Whether it is made of ropes; canopy members are not, and do not count for the largest tension.
     pub is_rope: bool,
     /// Strength of its weakest rope, N, where one is given.
+    #[serde(rename = "strength_n")]
     pub strength: Option<f64>,
 }
 
+/// A kind of rope by the name that the scenario gives it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NamedRope {
+    /// `rope` for the default one, else the name of its table.
+    pub name: String,
+    /// Breaking load, N, where it is given.
+    #[serde(rename = "strength_n")]
+    pub strength: Option<f64>,
+    /// The share of its strength that knots take from it, where it is given.
+    pub knot_reduction: Option<f64>,
+}
+
+/// Segments of one link class that are made of one kind of rope: what the system has as a class.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Group {
+    /// Index into [`Landmarks::classes`].
+    pub class: usize,
+    /// Index into [`Landmarks::ropes`]; none for members that are no ropes.
+    pub rope: Option<usize>,
+}
+
+/// A canopy, to be drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CanopyMark {
+    /// The node in its middle.
+    pub hub: usize,
+    /// The nodes at its corners, in order.
+    pub rim: Vec<usize>,
+}
+
+/// What a body is there for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyKind {
+    /// Pulls the web out.
+    Tractor,
+    /// Is carried.
+    Payload,
+    /// Sits in the middle.
+    Sensor,
+}
+
+/// A body that the web carries, to be drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BodyMark {
+    /// What it is there for.
+    pub kind: BodyKind,
+    /// The node that it sits on.
+    pub node: usize,
+    /// Its diameter and height, m; none for a particle.
+    pub size_m: Option<[f64; 2]>,
+}
+
 /// The meanings of a system's nodes and segments.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Landmarks {
     /// The launch axis, a unit vector in the world frame.
     pub axis: DVec3,
     /// The closed outline; each vertex the mean of its nodes. Empty where there is none.
     pub outline: Vec<Vec<usize>>,
     /// Area of the outline of the flat web along the axis, m^2.
+    #[serde(rename = "reference_area_m2")]
     pub reference_area: Option<f64>,
     /// How far the middle of the flat web lies above its outline along the axis, m; zero for a plane web.
+    #[serde(rename = "flat_posture_m")]
     pub flat_posture: f64,
+    /// The corners of the web, where tractors are tied.
+    pub corners: Vec<usize>,
+    /// The points by which the symmetry of the mouth is judged: its corners, or without corners the vertices of its
+    /// outline; each the mean of its nodes.
+    pub mouth: Vec<Vec<usize>>,
+    /// The distance of each of these from their mean in the flat web, m.
+    #[serde(rename = "mouth_reach_m")]
+    pub mouth_reach: Vec<f64>,
+    /// The cells of the web: closed loops of nodes. Empty where the web cannot be drawn in a plane without crossings.
+    pub cells: Vec<Vec<usize>>,
+    /// Diameter of the target that the web is measured against, m, where one is stated.
+    #[serde(rename = "target_diameter_m")]
+    pub target_diameter: Option<f64>,
     /// The tractors, in order around the web.
     pub tractors: Vec<usize>,
     /// The web's centre is the mean of these nodes.
@@ -61,11 +136,46 @@ pub struct Landmarks {
     pub points: Vec<Landmark>,
     /// The segments of rope that meet the bottom, point B.
     pub bottom: Vec<usize>,
-    /// Link classes, in the order of the system's class numbers.
+    /// Link classes.
     pub classes: Vec<LinkClass>,
+    /// Kinds of rope.
+    pub ropes: Vec<NamedRope>,
+    /// Class and rope of the system's class numbers, in their order.
+    pub groups: Vec<Group>,
+    /// Canopies, to be drawn.
+    pub canopies: Vec<CanopyMark>,
+    /// Tractors, payloads and sensors, to be drawn.
+    pub bodies: Vec<BodyMark>,
 }
 
 impl Landmarks {
+    /// Writes them to `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn write(&self, path: &Path) -> Result<(), ResultError> {
+        let text = serde_json::to_string(self).expect("plain data") + "\n";
+        fs::write(path, text).map_err(ResultError::write(path))
+    }
+
+    /// Reads them from `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
+    pub fn read(path: &Path) -> Result<Self, ResultError> {
+        let text = fs::read_to_string(path).map_err(ResultError::read(path))?;
+        serde_json::from_str(&text).map_err(ResultError::json(path))
+    }
+
+    /// Every node that is named, one or more times.
+    pub fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        let groups = self.outline.iter().chain(&self.mouth).chain(&self.cells).chain([&self.corners, &self.centre]);
+        let points = self.points.iter().flat_map(|point| &point.nodes);
+        let canopies = self.canopies.iter().flat_map(|canopy| canopy.rim.iter().chain([&canopy.hub]));
+        let bodies = self.bodies.iter().map(|body| &body.node);
+        groups.flatten().chain(&self.tractors).chain(points).chain(canopies).chain(bodies).copied()
+    }
+
     /// Vector area of the outline, m^2; none where there is no outline.
     pub fn outline_area(&self, position: impl Fn(usize) -> DVec3) -> Option<DVec3> {
         let vertices = self.outline.iter().map(|nodes| mean(nodes, &position));
@@ -76,5 +186,29 @@ impl Landmarks {
     pub fn tractor_area(&self, position: impl Fn(usize) -> DVec3) -> Option<f64> {
         let vertices = self.tractors.iter().map(|&node| position(node));
         (self.tractors.len() >= 3).then(|| vector_area(vertices).dot(self.axis).abs())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_reads_back_equal() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("landmarks.json");
+        let landmarks = Landmarks {
+            axis: DVec3::new(0.6, 0.0, 0.8),
+            outline: vec![vec![0], vec![1, 2]],
+            reference_area: Some(1.0 / 3.0),
+            mouth: vec![vec![0], vec![1]],
+            mouth_reach: vec![0.1 + 0.2, 2.0],
+            groups: vec![Group { class: 0, rope: None }, Group { class: 1, rope: Some(0) }],
+            ropes: vec![NamedRope { name: "rope".into(), strength: Some(1e4), knot_reduction: None }],
+            bodies: vec![BodyMark { kind: BodyKind::Tractor, node: 3, size_m: Some([0.1, 0.2]) }],
+            ..Landmarks::default()
+        };
+        landmarks.write(&path).unwrap();
+        assert_eq!(Landmarks::read(&path).unwrap(), landmarks);
     }
 }

@@ -4,6 +4,7 @@
 //!  Summary   the run in a page of numbers      summary.json
 //!  History   one row a record step             history.csv
 //!  Fields    every node and rope, in time      fields.vtkhdf   (opens in ParaView)
+//!  Landmarks what of these has a meaning       landmarks.json
 //!  Manifest  who ran what, where and when      manifest.json
 //! ```
 //!
@@ -11,21 +12,28 @@
 //! a result. Everything is in SI and says its unit in its name. The same run gives the same bytes in every file but
 //! the manifest, which alone knows the clock and the machine, and `wall_time_s` in the summary.
 
+pub mod comparison;
 mod error;
+mod flight;
 pub mod folder;
 pub mod history;
 pub mod landmarks;
 pub mod manifest;
 pub mod measures;
+mod moments;
+mod mouth;
 pub mod recorder;
+mod silhouette;
 mod spell;
 pub mod summary;
+mod utilisation;
 pub mod vtkhdf;
 
+pub use comparison::Comparison;
 pub use error::ResultError;
 pub use folder::ResultFolder;
 pub use history::History;
-pub use landmarks::{Landmark, Landmarks, LinkClass};
+pub use landmarks::{BodyKind, BodyMark, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
 pub use manifest::{Machine, Manifest};
 pub use recorder::{Recorder, Recording};
 pub use summary::Summary;

@@ -8,12 +8,13 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use netcast_dynamics::simulate::Live;
 
-use crate::landmarks::Landmarks;
+use crate::landmarks::{Group, Landmarks};
 use crate::spell::Spells;
 use crate::summary::{ClassTension, Opening, PointExtremes, Posture, Tension};
+use crate::utilisation::Largest;
 
 /// Share of the reference area from which the web counts as open.
-const EFFECTIVE: f64 = 0.8;
+pub(crate) const EFFECTIVE: f64 = 0.8;
 /// Posture beyond which the web counts as concave (below) or convex (above).
 const POSTURE: f64 = 0.02;
 /// Share of its own peak travel at which a point counts as started.
@@ -21,11 +22,11 @@ const STARTED: f64 = 0.01;
 
 /// A largest value and its time.
 #[derive(Debug, Clone, Copy, Default)]
-struct Peak(Option<(f64, f64)>);
+pub struct Peak(Option<(f64, f64)>);
 
 impl Peak {
     /// Whether `value` is the largest so far. Of a run that diverges only the finite part counts.
-    fn add(&mut self, time: f64, value: f64) -> bool {
+    pub fn add(&mut self, time: f64, value: f64) -> bool {
         let larger = value.is_finite() && self.0.is_none_or(|(largest, _)| value > largest);
         if larger {
             self.0 = Some((value, time));
@@ -33,11 +34,13 @@ impl Peak {
         larger
     }
 
-    fn value(&self) -> Option<f64> {
+    /// The largest value.
+    pub fn value(&self) -> Option<f64> {
         self.0.map(|(value, _)| value)
     }
 
-    fn time(&self) -> Option<f64> {
+    /// When it occurred, s.
+    pub fn time(&self) -> Option<f64> {
         self.0.map(|(_, time)| time)
     }
 }
@@ -95,7 +98,7 @@ pub struct Measures {
     effective: Spells,
     concave: Spells,
     convex: Spells,
-    classes: Vec<Peak>,
+    groups: Vec<Peak>,
     largest: Vec<f64>,
     bottom: Peak,
     /// Integral of the mean bottom tension over time, N s, and its value when the area was largest.
@@ -118,8 +121,8 @@ impl Measures {
                 growth: Vec::new(),
             })
             .collect();
-        let classes = vec![Peak::default(); landmarks.classes.len()];
-        let largest = vec![0.0; landmarks.classes.len()];
+        let groups = vec![Peak::default(); landmarks.groups.len()];
+        let largest = vec![0.0; landmarks.groups.len()];
         let mut measures = Measures {
             landmarks,
             points,
@@ -129,7 +132,7 @@ impl Measures {
             effective: Spells::default(),
             concave: Spells::default(),
             convex: Spells::default(),
-            classes,
+            groups,
             largest,
             bottom: Peak::default(),
             bottom_integral: 0.0,
@@ -152,7 +155,7 @@ impl Measures {
     /// Takes a step into account.
     pub fn step(&mut self, live: &Live) {
         live.net.largest_tensions(&mut self.largest);
-        for (peak, &tension) in self.classes.iter_mut().zip(&self.largest) {
+        for (peak, &tension) in self.groups.iter_mut().zip(&self.largest) {
             peak.add(live.tension_time, tension);
         }
         if !self.landmarks.bottom.is_empty() {
@@ -165,12 +168,12 @@ impl Measures {
     }
 
     /// Takes the state at launch or at the end into account, of which [`Measures::step`] sees only a part.
-    pub fn ends(&mut self, time: f64, velocity: &[DVec3], tension: &[f64], class_of: &dyn Fn(usize) -> usize) {
+    pub fn ends(&mut self, time: f64, velocity: &[DVec3], tension: &[f64], group_of: &dyn Fn(usize) -> usize) {
         for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
             point.speed.add(time, landmark.speed(|n| velocity[n]));
         }
         for (segment, &tension) in tension.iter().enumerate() {
-            self.classes[class_of(segment)].add(time, tension);
+            self.groups[group_of(segment)].add(time, tension);
         }
     }
 
@@ -228,6 +231,9 @@ impl Measures {
             effective_duration_s: self.landmarks.reference_area.map(|_| duration),
             tractor_area_max_m2: self.tractor_area.value(),
             tractor_area_max_time_s: self.tractor_area.time(),
+            // taken at record times, elsewhere
+            shadow_area_max_m2: None,
+            shadow_area_max_time_s: None,
         };
         let tension = self.tension();
         let convex_from_s = self.convex.first();
@@ -248,7 +254,8 @@ impl Measures {
 
     fn tension(&self) -> Tension {
         let mut tension = Tension::default();
-        for (class, peak) in self.landmarks.classes.iter().zip(&self.classes) {
+        for (index, class) in self.landmarks.classes.iter().enumerate() {
+            let peak = self.largest_of(|group| group.class == index);
             let max_n = peak.value().unwrap_or(0.0);
             let pulled = max_n > 0.0;
             let max_time_s = peak.time().filter(|_| pulled);
@@ -262,6 +269,21 @@ impl Measures {
         tension.bottom_max_n = self.bottom.value();
         tension.bottom_mean_n = self.bottom_mean();
         tension
+    }
+
+    /// The largest tension of a kind of rope, N, its time, s, and the link class where it occurred.
+    pub fn largest_in_rope(&self, rope: usize) -> Largest<'_> {
+        let groups = self.landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| group.rope == Some(rope));
+        let peaks = groups.filter_map(|(group, peak)| Some((group.class, peak.0?)));
+        let (class, (tension, time)) = peaks.reduce(|one, other| if other.1.0 > one.1.0 { other } else { one })?;
+        Some((tension, time, &self.landmarks.classes[class].name))
+    }
+
+    /// The largest tension of some groups; the first of equals.
+    fn largest_of(&self, belongs: impl Fn(&Group) -> bool) -> Peak {
+        let groups = self.landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| belongs(group));
+        let peaks = groups.filter_map(|(_, peak)| peak.0);
+        Peak(peaks.reduce(|one, other| if other.0 > one.0 { other } else { one }))
     }
 
     /// Mean bottom tension from B's start to the time of the largest area, N.

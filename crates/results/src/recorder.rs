@@ -9,7 +9,9 @@ use netcast_dynamics::system::System;
 
 use crate::landmarks::Landmarks;
 use crate::measures::{Measures, mean};
-use crate::summary::{Energy, Opening, PointExtremes, Posture, Tension};
+use crate::moments::{Moment, MomentMeasures};
+use crate::summary::{Energy, Flight, Mouth, Opening, PointExtremes, Posture, Target, Tension};
+use crate::utilisation::RopeMeasures;
 use crate::{FieldsTopology, FieldsWriter, History, ResultError, folder, history};
 
 /// What is told of a run's progress at every record time: (time reached, s).
@@ -20,7 +22,9 @@ pub struct Recorder<'r> {
     measures: Measures,
     history: History,
     fields: FieldsWriter,
-    classes: Vec<usize>,
+    moments: MomentMeasures,
+    ropes: RopeMeasures,
+    groups: Vec<usize>,
     fields_every: u64,
     rows: u64,
     last_residual: f64,
@@ -42,6 +46,12 @@ pub struct Recording {
     pub tension: Tension,
     /// Concave and convex.
     pub posture: Posture,
+    /// How the mouth stands.
+    pub mouth: Mouth,
+    /// How much of the target is covered.
+    pub target: Option<Target>,
+    /// How long the web hangs about its apex.
+    pub flight: Flight,
     /// The energy balance.
     pub energy: Energy,
 }
@@ -60,8 +70,8 @@ impl<'r> Recorder<'r> {
         progress: &'r mut Progress<'r>,
         interrupted: &'r dyn Fn() -> bool,
     ) -> Result<Recorder<'r>, ResultError> {
-        ResultError::length("link classes", system.class_count(), landmarks.classes.len())?;
-        let classes: Vec<usize> = system.segments().iter().map(|s| s.class).collect();
+        ResultError::length("groups of segments", system.class_count(), landmarks.groups.len())?;
+        let groups: Vec<usize> = system.segments().iter().map(|s| s.class).collect();
         let point_names: Vec<&str> = landmarks.points.iter().map(|p| &p.name[..]).collect();
         let class_names: Vec<&str> = landmarks.classes.iter().map(|c| &c.name[..]).collect();
         let channels = netcast_dynamics::energy::Ledger::default().channels().map(|(name, _)| name);
@@ -71,15 +81,19 @@ impl<'r> Recorder<'r> {
         let topology = FieldsTopology {
             nodes: system.mass().len(),
             segments: system.segments().iter().map(|s| s.ends.map(|n| n as u32)).collect(),
-            classes: classes.iter().map(|&c| c as u32).collect(),
+            classes: groups.iter().map(|&group| landmarks.groups[group].class as u32).collect(),
             class_names: class_names.iter().map(|c| c.to_string()).collect(),
             labels: labels.collect(),
         };
+        let of_web = system.mass().iter().zip(system.tractor());
+        let web_mass = of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect();
         Ok(Recorder {
             history: History::new(history::columns(&point_names, &class_names, &channels)),
             fields: FieldsWriter::new(topology)?,
+            moments: MomentMeasures::new(&landmarks, web_mass, &state.position),
+            ropes: RopeMeasures::new(landmarks.ropes.len()),
             measures: Measures::new(landmarks, &state.position),
-            classes,
+            groups,
             fields_every,
             rows: 0,
             last_residual: 0.0,
@@ -90,7 +104,7 @@ impl<'r> Recorder<'r> {
     }
 
     /// One row of the history, in the order of [`history::columns`].
-    fn row(&self, frame: &Frame) -> Vec<Option<f64>> {
+    fn row(&self, frame: &Frame, moment: &Moment) -> Vec<Option<f64>> {
         let landmarks = self.measures.landmarks();
         let at = |node: usize| frame.position[node];
         let axis = landmarks.axis;
@@ -125,15 +139,17 @@ impl<'r> Recorder<'r> {
         row.extend(per_class.into_iter().flat_map(|(mean, max)| [Some(mean), Some(max)]));
         row.extend(frame.ledger.channels().map(|(_, energy)| Some(energy)));
         row.push(Some(frame.residual));
+        row.extend(moment.row());
         // what overflows as a run diverges has no value
         row.into_iter().map(|cell| cell.filter(|value| value.is_finite())).collect()
     }
 
     /// (mean, largest) tension of each class, N.
     fn class_tensions(&self, tension: &[f64]) -> Vec<(f64, f64)> {
-        let mut sums = vec![(0.0, 0.0, 0.0); self.measures.landmarks().classes.len()];
-        for (&tension, &class) in tension.iter().zip(&self.classes) {
-            let (sum, count, max) = &mut sums[class];
+        let landmarks = self.measures.landmarks();
+        let mut sums = vec![(0.0, 0.0, 0.0); landmarks.classes.len()];
+        for (&tension, &group) in tension.iter().zip(&self.groups) {
+            let (sum, count, max) = &mut sums[landmarks.groups[group].class];
             (*sum, *count, *max) = (*sum + tension, *count + 1.0, f64::max(*max, tension));
         }
         sums.into_iter().map(|(sum, count, max)| (sum / f64::max(count, 1.0), max)).collect()
@@ -148,7 +164,13 @@ impl<'r> Recorder<'r> {
         if let Some(error) = self.error {
             return Err(error);
         }
-        let (opening, points, tension, posture) = self.measures.finish();
+        let landmarks = self.measures.landmarks();
+        let by_rope = self.ropes.finish(landmarks, |rope| self.measures.largest_in_rope(rope));
+        let shadow = self.moments.shadow_area();
+        let (mouth, target, flight) = self.moments.finish(landmarks);
+        let (mut opening, points, mut tension, posture) = self.measures.finish();
+        (opening.shadow_area_max_m2, opening.shadow_area_max_time_s) = (shadow.value(), shadow.time());
+        tension.by_rope = by_rope;
         let (ledger, balance) = (outcome.ledger, outcome.balance);
         let stored = ledger.kinetic + ledger.elastic + ledger.gravity;
         let energy = Energy {
@@ -162,7 +184,8 @@ impl<'r> Recorder<'r> {
             tolerance: tolerance.0,
             tolerance_web: tolerance.1,
         };
-        Ok(Recording { history: self.history, fields: self.fields, opening, points, tension, posture, energy })
+        let (history, fields) = (self.history, self.fields);
+        Ok(Recording { history, fields, opening, points, tension, posture, mouth, target, flight, energy })
     }
 }
 
@@ -172,8 +195,11 @@ impl Observer for Recorder<'_> {
     }
 
     fn record(&mut self, frame: &Frame) {
-        self.measures.ends(frame.time, frame.velocity, frame.tension, &|segment| self.classes[segment]);
-        let row = self.row(frame);
+        let landmarks = self.measures.landmarks();
+        let moment = self.moments.add(landmarks, frame.time, frame.position);
+        self.ropes.add(landmarks, frame.tension, &self.groups);
+        self.measures.ends(frame.time, frame.velocity, frame.tension, &|segment| self.groups[segment]);
+        let row = self.row(frame, &moment);
         let mut recorded = self.history.push(row);
         if self.rows.is_multiple_of(self.fields_every) {
             recorded =

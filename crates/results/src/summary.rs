@@ -35,6 +35,14 @@ pub struct Summary {
     pub tension: Tension,
     /// Whether the middle trails or leads.
     pub posture: Posture,
+    /// How the mouth stands.
+    pub mouth: Mouth,
+    /// How much of the target the web covers; none where no target is stated.
+    pub target: Option<Target>,
+    /// How long the web hangs about its apex.
+    pub flight: Flight,
+    /// The state at the start.
+    pub stowed: Stowed,
     /// The energy ledger and how well it closes.
     pub energy: Energy,
     /// What the reader should know before trusting the numbers.
@@ -88,6 +96,74 @@ pub struct Opening {
     pub tractor_area_max_m2: Option<f64>,
     /// When it occurred, s.
     pub tractor_area_max_time_s: Option<f64>,
+    /// Largest area of the silhouette along the launch axis at any record time, m².
+    pub shadow_area_max_m2: Option<f64>,
+    /// When it occurred, s.
+    pub shadow_area_max_time_s: Option<f64>,
+}
+
+/// How the mouth stands, at record times.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Mouth {
+    /// Angle between the mouth and the launch axis when the outline area is largest, rad.
+    pub tilt_at_area_max_rad: Option<f64>,
+    /// The largest of it while at least 80 % are open, rad.
+    pub tilt_max_open_rad: Option<f64>,
+    /// How unevenly the corners stand when the outline area is largest.
+    pub asymmetry_at_area_max: Option<f64>,
+    /// The largest of it while at least 80 % are open.
+    pub asymmetry_max_open: Option<f64>,
+}
+
+/// How much of a target of stated size the web covers, at record times.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Target {
+    /// Its diameter, m.
+    pub diameter_m: f64,
+    /// Largest share of it that is covered.
+    pub coverage_max: Option<f64>,
+    /// When it occurred, s.
+    pub coverage_max_time_s: Option<f64>,
+    /// Start of the longest spell with at least 99 % of it covered, s.
+    pub covered_from_s: Option<f64>,
+    /// End of that spell, s.
+    pub covered_to_s: Option<f64>,
+    /// All the time with at least 99 % of it covered, s.
+    pub covered_duration_s: Option<f64>,
+}
+
+/// How long the web hangs about its apex, by its centre of mass at record times.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Flight {
+    /// Greatest height of the web's centre of mass above the muzzle, m.
+    pub apex_height_m: Option<f64>,
+    /// When it occurred, s.
+    pub apex_time_s: Option<f64>,
+    /// Start of the longest spell with at least 95 % of that height, s.
+    pub hang_from_s: Option<f64>,
+    /// End of that spell, s.
+    pub hang_to_s: Option<f64>,
+    /// Its length, s.
+    pub hang_time_s: Option<f64>,
+    /// Whether it was cut off by the end of the run.
+    pub still_up: Option<bool>,
+}
+
+/// The state at the start, looked over.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Stowed {
+    /// Length over rest length less 1 of the member that is stretched most: negative where all are slack.
+    pub longest_stretch: Option<f64>,
+    /// Which member that is.
+    pub longest_stretch_where: Option<String>,
+    /// Number of members that are stretched.
+    pub stretched: usize,
+    /// Elastic energy, J.
+    pub stored_energy_j: f64,
+    /// Largest distance of a node from the launch axis, m.
+    pub packed_radius_m: f64,
+    /// From the lowest node to the highest along the launch axis, m.
+    pub packed_height_m: f64,
 }
 
 /// Extremes of one point over every step.
@@ -122,6 +198,32 @@ pub struct Tension {
     pub bottom_mean_n: Option<f64>,
     /// The extremes of each link class.
     pub by_class: BTreeMap<String, ClassTension>,
+    /// What each kind of rope bears, by its name in the scenario.
+    pub by_rope: BTreeMap<String, RopeUse>,
+}
+
+/// What one kind of rope bears. The largest tension is that of any step, smallest and mean are over all its segments at
+/// all record times.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct RopeUse {
+    /// Smallest tension, N: 0 where any segment of it was slack at any time.
+    pub min_n: Option<f64>,
+    /// Mean tension, N.
+    pub mean_n: Option<f64>,
+    /// Highest tension, N.
+    pub max_n: f64,
+    /// When it occurred, s.
+    pub max_time_s: Option<f64>,
+    /// The link class where it occurred.
+    pub max_where: Option<String>,
+    /// Its breaking load, N, where it is given.
+    pub strength_n: Option<f64>,
+    /// The share of that which knots take, where it is given.
+    pub knot_reduction: Option<f64>,
+    /// Highest tension over the strength that knots leave.
+    pub utilisation: Option<f64>,
+    /// The inverse of it.
+    pub margin: Option<f64>,
 }
 
 /// Highest tension in one link class.
@@ -184,6 +286,10 @@ impl Summary {
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;
         require_finite("posture", &self.posture)?;
+        require_finite("mouth", &self.mouth)?;
+        require_finite("target", &self.target)?;
+        require_finite("flight", &self.flight)?;
+        require_finite("stowed", &self.stowed)?;
         require_finite("energy", &self.energy)?;
         let mut text = serde_json::to_string_pretty(self).expect("string keys and plain data");
         text.push('\n');

@@ -102,6 +102,8 @@ intervals! {
     UpToOne: Bound::Excluded(0.0), Bound::Included(1.0);
     /// More than zero, less than one.
     BelowOne: Bound::Excluded(0.0), Bound::Excluded(1.0);
+    /// Zero or more, less than one.
+    Fraction: Bound::Included(0.0), Bound::Excluded(1.0);
     /// From straight down to straight up: -90 deg to 90 deg.
     QuarterTurns: Bound::Included(-FRAC_PI_2), Bound::Included(FRAC_PI_2);
 }

@@ -1,7 +1,7 @@
 //! The known name nearest to what was written.
 
 /// The candidate nearest to `word`: the same letters in another case, else at most a third of the letters changed.
-pub(crate) fn nearest<S: AsRef<str>>(word: &str, candidates: impl IntoIterator<Item = S>) -> Option<String> {
+pub fn nearest<S: AsRef<str>>(word: &str, candidates: impl IntoIterator<Item = S>) -> Option<String> {
     let lower_case = word.to_lowercase();
     let allowed = word.chars().count().div_ceil(3);
     let mut best: Option<(usize, String)> = None;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{NonNegative, Positive};
+use crate::interval::{Fraction, NonNegative, Positive};
 use crate::quantity::{Density, Force, Length, Number, Pressure, Time};
 
 /// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05.
@@ -27,6 +27,9 @@ pub struct Rope {
     pub pretension: Force<NonNegative>,
     /// Breaking load, N: results then state the margin.
     pub strength: Option<Force<Positive>>,
+    /// The share of its strength that knots and splices take from the rope, 0 to 1: utilisation then goes by what is
+    /// left.
+    pub knot_reduction: Option<Number<Fraction>>,
 }
 
 fn default_pretension() -> Force<NonNegative> {

@@ -10,6 +10,7 @@ use crate::written::Written;
 pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     assigned_ropes_exist(written, &mut found);
+    knots_weaken_a_strength(written, &mut found);
     segments_are_cut_in_one_way(written, &mut found);
     canopies_belong_to_the_space_web(written, &mut found);
     tractors_are_told_apart(written, &mut found);
@@ -38,6 +39,20 @@ fn assigned_ropes_exist(written: &Written, found: &mut Vec<Diagnostic>) {
     for entry in table_at(written, "assign").into_iter().flat_map(|assign| &assign.0) {
         if let Some((message, help)) = entry.node.value.as_text().and_then(|name| unknown_rope(written, name)) {
             found.push(written.at_value(&Path::default().key("assign").key(&entry.key), message).with_help(help));
+        }
+    }
+}
+
+fn knots_weaken_a_strength(written: &Written, found: &mut Vec<Diagnostic>) {
+    let named = table_at(written, "ropes").into_iter().flat_map(Table::keys);
+    let ropes = named.map(|name| Path::default().key("ropes").key(name)).chain([Path::default().key("rope")]);
+    for rope in ropes {
+        let given = |key: &str| written.tree.get(&rope.key(key)).is_some();
+        if given("knot_reduction") && !given("strength") {
+            let message = "a reduction by knots says nothing without a strength";
+            found.push(
+                written.at_key(&rope.key("knot_reduction"), message).with_help(format!("give `{rope}.strength`")),
+            );
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::canopy::Canopy;
 use crate::environment::Environment;
 use crate::hold::Hold;
 use crate::launch::Launch;
+use crate::measure::Measure;
 use crate::record::Record;
 use crate::rope::Rope;
 use crate::solve::Solve;
@@ -66,6 +67,9 @@ pub struct Scenario {
     /// What is kept.
     #[serde(default)]
     pub record: Record,
+    /// What the web is measured against.
+    #[serde(default)]
+    pub measure: Measure,
 }
 
 impl Scenario {

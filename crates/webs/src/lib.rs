@@ -24,6 +24,7 @@
 //! ```
 
 mod bill;
+mod cells;
 mod check;
 mod class;
 mod cut;

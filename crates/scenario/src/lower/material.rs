@@ -52,9 +52,44 @@ impl Member {
 pub struct Materials {
     pub members: Vec<Member>,
     pub mass: Vec<f64>,
-    pub classes: Vec<Class>,
-    pub strengths: Vec<Option<f64>>,
+    pub groups: Vec<Group>,
+    pub bodies: Vec<PlacedBody>,
     pub bill: Bill,
+}
+
+/// Segments of one link class that are made of one kind of rope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// Their link class.
+    pub class: Class,
+    /// The name of their rope, `rope` for the default one; none for the members of canopies.
+    pub rope: Option<String>,
+    /// Its breaking load, N, where it is given.
+    pub strength: Option<f64>,
+    /// The share of its strength that knots take from it, where it is given.
+    pub knot_reduction: Option<f64>,
+}
+
+/// What a body is there for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// Pulls the web out.
+    Tractor,
+    /// Is carried.
+    Payload,
+    /// Sits in the middle.
+    Sensor,
+}
+
+/// A body and the node that it sits on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacedBody {
+    /// What it is there for.
+    pub role: Role,
+    /// Its node.
+    pub node: usize,
+    /// Its size and mass.
+    pub solid: crate::body::Solid,
 }
 
 /// Makes segments and masses of a cut web.
@@ -72,7 +107,13 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
     classes.dedup();
     class_names(document, cut, rows)?;
     unassigned_classes(document, scenario, &classes)?;
-    let class_number = |class: &Class| classes.iter().position(|c| c == class).expect("every class is listed");
+    let groups = groups(web, &kinds);
+    let group_number = |class: &Class, rope: Option<&str>| {
+        let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
+        groups.iter().position(is_it).expect("every class is listed with its ropes")
+    };
+    let group_of_rope: Vec<usize> =
+        web.ropes.iter().zip(&kinds).map(|(rope, (name, _))| group_number(&rope.class, Some(name))).collect();
 
     let mut mass = vec![0.0; cut.nodes.len()];
     let mut members = Vec::with_capacity(cut.segment_count());
@@ -81,11 +122,11 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
         let pretension = pretension(rope.rest_length.is_some(), kinds[segment.rope].1, rows.get(segment.rope));
         let piece = Piece::new(kinds[segment.rope].1, segment.rest_length, pretension);
         let ends = [segment.a, segment.b];
-        let class = class_number(&rope.class);
         for end in ends {
             mass[end] += 0.5 * piece.mass;
         }
-        members.push(Member { segment: piece.between(ends, class), part: Part::Rope(segment) });
+        let piece = piece.between(ends, group_of_rope[segment.rope]);
+        members.push(Member { segment: piece, part: Part::Rope(segment) });
     }
 
     let mut canopy = Solid::default();
@@ -93,27 +134,19 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
         let Canopy::Links(links) = scenario.canopy.clone().unwrap_or_default();
         let made = canopy_links::members(&links);
         canopy = Solid { mass: made.mass, volume: made.volume };
-        add_canopies(cut, &made, class_number(&Class::Canopy), &mut members, &mut mass);
+        add_canopies(cut, &made, group_number(&Class::Canopy, None), &mut members, &mut mass);
     }
-    let payload = scenario.payload_solid();
-    for canopy in &web.canopies {
-        let on_hub =
-            if canopy.carries_payload { payload } else { scenario.sensor_solid().filter(|_| canopy.is_centre) };
-        mass[canopy.hub] += on_hub.map_or(0.0, |solid| solid.mass_kg());
+    let bodies = bodies(scenario, web);
+    for body in &bodies {
+        mass[body.node] += body.solid.mass_kg();
     }
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         mass[node] += row.mass_kg;
     }
-    let mut tractor_masses = Vec::new();
-    for (corner, &node) in web.tractors.iter().enumerate() {
-        if let Some(solid) = scenario.tractor_solid(corner as u32 + 1) {
-            mass[node] += solid.mass_kg();
-            tractor_masses.push(solid.mass_kg());
-        }
-    }
-
-    let strengths = classes.iter().map(|class| weakest(web.ropes.iter().zip(&kinds), class)).collect();
-    let payload = payload.map_or(Solid::default(), |p| Solid { mass: p.mass_kg(), volume: p.volume_m3() });
+    let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
+    let tractor_masses = tractors.map(|body| body.solid.mass_kg()).collect();
+    let payload =
+        scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg(), volume: p.volume_m3() });
     let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy, payload, tractor_masses };
     for (name, rope) in &kinds {
         let kind = RopeKind {
@@ -127,7 +160,42 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
         });
         parts.kind_of_rope.push(known);
     }
-    Ok(Materials { members, mass, classes, strengths, bill: bill(web, &parts) })
+    Ok(Materials { members, mass, groups, bodies, bill: bill(web, &parts) })
+}
+
+/// Each pair of link class and rope that the web has, in order of class.
+fn groups(web: &netcast_webs::Web, kinds: &[(&str, &Rope)]) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::new();
+    for (rope, (name, kind)) in web.ropes.iter().zip(kinds) {
+        if !groups.iter().any(|known| known.class == rope.class && known.rope.as_deref() == Some(name)) {
+            groups.push(Group {
+                class: rope.class.clone(),
+                rope: Some((*name).to_owned()),
+                strength: kind.strength.map(|strength| strength.si()),
+                knot_reduction: kind.knot_reduction.map(|share| share.si()),
+            });
+        }
+    }
+    if !web.canopies.is_empty() {
+        groups.push(Group { class: Class::Canopy, rope: None, strength: None, knot_reduction: None });
+    }
+    groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
+    groups
+}
+
+/// Payloads, sensor and tractors where they sit.
+fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
+    let on_canopies = web.canopies.iter().filter_map(|canopy| {
+        let (role, solid) = match canopy.carries_payload {
+            true => (Role::Payload, scenario.payload_solid()),
+            false => (Role::Sensor, scenario.sensor_solid().filter(|_| canopy.is_centre)),
+        };
+        Some(PlacedBody { role, node: canopy.hub, solid: solid? })
+    });
+    let tractors = web.tractors.iter().enumerate().filter_map(|(corner, &node)| {
+        Some(PlacedBody { role: Role::Tractor, node, solid: scenario.tractor_solid(corner as u32 + 1)? })
+    });
+    on_canopies.chain(tractors).collect()
 }
 
 /// Area of a rope's cross-section, m^2.
@@ -221,13 +289,4 @@ fn add_canopies(cut: &CutWeb, made: &canopy_links::Members, class: usize, member
             add(ends, made.side_stiffness, made.side_mass, Part::Side { canopy, number });
         }
     }
-}
-
-/// Strength of the weakest rope of a class, N.
-fn weakest<'k>(
-    ropes: impl Iterator<Item = (&'k netcast_webs::Rope, &'k (&'k str, &'k Rope))>,
-    class: &Class,
-) -> Option<f64> {
-    let of_class = ropes.filter(|(rope, _)| rope.class == *class);
-    of_class.filter_map(|(_, (_, rope))| rope.strength.map(|s| s.si())).reduce(f64::min)
 }

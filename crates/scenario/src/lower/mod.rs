@@ -15,13 +15,14 @@ mod launch;
 mod material;
 mod stowing;
 
+pub use material::{Group, PlacedBody, Role};
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, step_limit};
-use netcast_webs::{Audit, Bill, Class, CutWeb};
+use netcast_webs::{Audit, Bill, CutWeb};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
@@ -53,14 +54,16 @@ pub struct Model {
     pub state: State,
     /// The web as drawn and cut; node k of the system is node k of the web.
     pub cut: CutWeb,
+    /// Its cells as closed loops of nodes; see [`CutWeb::cells`].
+    pub cells: Vec<Vec<usize>>,
     /// Turns the launch frame (z along the launch axis) to the world.
     pub frame: DMat3,
-    /// Link classes by the system's class number.
-    pub classes: Vec<Class>,
-    /// Strength of the weakest rope of each class, N, where one is given.
-    pub strengths: Vec<Option<f64>>,
+    /// Link class and rope by the system's class number.
+    pub groups: Vec<Group>,
     /// The tractors in order around the web; their nodes.
     pub tractors: Vec<usize>,
+    /// Payloads, sensor and tractors where they sit.
+    pub bodies: Vec<PlacedBody>,
     /// The bill of materials.
     pub bill: Bill,
     /// The state at the start, looked over.
@@ -111,7 +114,7 @@ impl Model {
             held,
             tractor,
             segments: materials.members.iter().map(|m| m.segment).collect(),
-            class_count: materials.classes.len(),
+            class_count: materials.groups.len(),
             environment: Environment {
                 // 0 - g, for the sign of a zero
                 gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
@@ -125,6 +128,12 @@ impl Model {
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
         let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
+        let cells = cut.cells();
+        if cells.is_empty() && scenario.measure.target_diameter.is_some() {
+            notes.push(
+                "the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned(),
+            );
+        }
         notes.extend(launched_and_held(&system, &tractors));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
@@ -134,14 +143,15 @@ impl Model {
             system,
             state,
             frame,
-            classes: materials.classes,
-            strengths: materials.strengths,
+            groups: materials.groups,
             tractors,
+            bodies: materials.bodies,
             bill: materials.bill,
             audit,
             limit,
             notes,
             members: materials.members,
+            cells,
             cut,
         })
     }

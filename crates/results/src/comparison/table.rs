@@ -1,0 +1,240 @@
+//! One table of what came out: a row a quantity, a column a design.
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::quantity::{Better, Quantity, leaves};
+use super::{Design, Entrant, Reported};
+
+/// Values that differ by less, relative to the larger, are equal: less than any two machines' sums may differ by.
+const TIE: f64 = 1e-9;
+
+/// A quantity of all designs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// Its path in `summary.json`.
+    pub quantity: String,
+    /// In a designer's words.
+    pub label: String,
+    /// Its unit; empty for a plain number or a text.
+    pub unit: String,
+    /// What it is about; rows of one group stand together.
+    pub group: String,
+    /// Whether it is one of those that a designer looks for first.
+    pub headline: bool,
+    /// What a net designer wants of it; null where neither is better as such.
+    pub better: Option<Better>,
+    /// Whether the same inputs give the same value; time on the clock does not.
+    pub reproducible: bool,
+    /// Its value in each design: a number, a text, or null where the design has no such thing.
+    pub values: Map<String, Value>,
+    /// The designs with the best value, ties included. Empty where nothing is better, where fewer than two whole runs
+    /// have a value, and where all are equal.
+    pub best: Vec<String>,
+    /// What is known of it from elsewhere, by design.
+    pub reported: Map<String, Value>,
+    /// The design's value less the reported one, in percent of the reported one; by design, where both are numbers.
+    pub deviation_percent: Map<String, Value>,
+}
+
+/// All rows that any design has a value for, group by group.
+pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&Reported>) -> Vec<Row> {
+    let leaves: Vec<Vec<(String, &Value)>> = entrants.iter().map(|entrant| leaves(&entrant.summary)).collect();
+    let paths = merged(leaves.iter().map(|leaves| leaves.iter().map(|(path, _)| path.as_str())));
+    let mut quantities: Vec<Quantity> = paths.into_iter().map(Quantity::at).collect();
+    // stable: within a group they stand as in the summary
+    quantities.sort_by_key(Quantity::rank);
+    let row = |quantity: Quantity| {
+        let value = |leaves: &Vec<(String, &Value)>| {
+            leaves.iter().find(|(path, _)| *path == quantity.path).map_or(Value::Null, |(_, value)| (*value).clone())
+        };
+        let values: Map<String, Value> =
+            entrants.iter().zip(&leaves).map(|(entrant, leaves)| (entrant.name.clone(), value(leaves))).collect();
+        if values.values().all(Value::is_null) {
+            return None;
+        }
+        let reported: Map<String, Value> = reported
+            .iter()
+            .flat_map(|reported| &reported.values)
+            .filter(|known| known.quantity == quantity.path)
+            .map(|known| (known.design.clone(), known.value.clone()))
+            .collect();
+        Some(Row {
+            best: quantity.better.map_or(Vec::new(), |better| best(better, designs, &values)),
+            deviation_percent: deviations(&values, &reported),
+            reported,
+            values,
+            label: quantity.label,
+            unit: quantity.unit.to_owned(),
+            group: quantity.group,
+            headline: quantity.headline,
+            better: quantity.better,
+            reproducible: quantity.reproducible,
+            quantity: quantity.path,
+        })
+    };
+    quantities.into_iter().filter_map(row).collect()
+}
+
+fn best(better: Better, designs: &[Design], values: &Map<String, Value>) -> Vec<String> {
+    let competing: Vec<(&str, f64)> = designs
+        .iter()
+        .filter(|design| design.is_sound())
+        .filter_map(|design| Some((&design.name[..], values.get(&design.name)?.as_f64()?)))
+        .collect();
+    let pick = match better {
+        Better::Lower => f64::min,
+        Better::Higher => f64::max,
+    };
+    let Some(extreme) = competing.iter().map(|(_, value)| *value).reduce(pick) else { return Vec::new() };
+    let equal = |value: f64| (value - extreme).abs() <= TIE * value.abs().max(extreme.abs());
+    let best: Vec<String> =
+        competing.iter().filter(|(_, value)| equal(*value)).map(|(name, _)| (*name).to_owned()).collect();
+    // what every design has alike tells none from another
+    if best.len() == competing.len() { Vec::new() } else { best }
+}
+
+fn deviations(values: &Map<String, Value>, reported: &Map<String, Value>) -> Map<String, Value> {
+    let deviation = |(name, known): (&String, &Value)| {
+        let (value, known) = (values.get(name)?.as_f64()?, known.as_f64()?);
+        // of a reported zero nothing is a percentage
+        (known != 0.0).then(|| (name.clone(), Value::from(100.0 * (value - known) / known.abs())))
+    };
+    reported.iter().filter_map(deviation).collect()
+}
+
+/// The keys of several lists, each once. A key that earlier lists lack stands before what follows it in its own list,
+/// or else after what precedes it there.
+pub(super) fn merged<'k>(lists: impl IntoIterator<Item = impl Iterator<Item = &'k str>>) -> Vec<&'k str> {
+    let mut merged: Vec<&str> = Vec::new();
+    for list in lists {
+        let list: Vec<&str> = list.collect();
+        let mut after = 0;
+        for (index, key) in list.iter().enumerate() {
+            let place_of = |key: &&str| merged.iter().position(|known| known == key);
+            after = match place_of(key) {
+                Some(known) => known,
+                None => {
+                    let place = list[index..].iter().find_map(place_of).unwrap_or(after);
+                    merged.insert(place, key);
+                    place
+                }
+            } + 1;
+        }
+    }
+    merged
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::super::{Comparison, ReportedValue};
+    use super::*;
+
+    fn rows(summaries: &[(&str, Value)], reported: &[(&str, &str, Value)]) -> Vec<Row> {
+        let entrants: Vec<Entrant> = summaries
+            .iter()
+            .map(|(name, summary)| Entrant {
+                name: name.to_string(),
+                summary: summary.clone(),
+                inputs: Vec::new(),
+                failure: None,
+            })
+            .collect();
+        let values = reported.iter().map(|(design, quantity, value)| ReportedValue {
+            design: design.to_string(),
+            quantity: quantity.to_string(),
+            value: value.clone(),
+        });
+        Comparison::of(&entrants, Some(&Reported { source: "a test".into(), values: values.collect() })).table
+    }
+
+    fn row<'t>(rows: &'t [Row], quantity: &str) -> &'t Row {
+        rows.iter().find(|row| row.quantity == quantity).unwrap_or_else(|| panic!("no row {quantity}"))
+    }
+
+    #[test]
+    fn the_best_is_earliest_widest_gentlest_and_lightest_and_ties_share_it() {
+        let design = |time: f64, area: f64, tension: f64, mass: f64, margin: f64| {
+            json!({
+                "opening": {"area_max_time_s": time, "area_max_m2": area, "reference_area_m2": area},
+                "tension": {"max_n": tension, "by_class": {"ring": {"margin": margin}}}, "model": {"web_mass_kg": mass}
+            })
+        };
+        let rows = rows(
+            &[
+                ("a", design(0.12, 15.0, 9e4, 60.0, 1.5)),
+                ("b", design(0.14, 16.0, 7e4, 50.0, 1.6)),
+                ("c", design(0.12 * (1.0 + 1e-12), 14.0, 8e4, 50.0, 0.9)),
+            ],
+            &[],
+        );
+        let best = |quantity| row(&rows, quantity).best.join(" ");
+        assert_eq!(best("opening.area_max_time_s"), "a c");
+        assert_eq!(best("opening.area_max_m2"), "b");
+        assert_eq!(best("tension.max_n"), "b");
+        assert_eq!(best("model.web_mass_kg"), "b c");
+        assert_eq!(best("tension.by_class.ring.margin"), "b");
+        // the size of the flat web is a choice, not a merit
+        assert_eq!(best("opening.reference_area_m2"), "");
+    }
+
+    #[test]
+    fn nulls_do_not_compete_and_a_row_of_nulls_is_left_out() {
+        let rows = rows(
+            &[
+                ("a", json!({"tension": {"bottom_max_n": null, "max_n": 5.0, "by_class": {"ring": {"max_n": 4.0}}}})),
+                ("b", json!({"tension": {"bottom_max_n": null, "max_n": null, "by_class": {}}, "points": {"A": null}})),
+                ("c", json!({"tension": {"max_n": 3.0}})),
+            ],
+            &[],
+        );
+        assert_eq!(rows.len(), 2);
+        assert_eq!(row(&rows, "tension.max_n").best, ["c"]);
+        assert_eq!(Value::Object(row(&rows, "tension.max_n").values.clone()), json!({"a": 5.0, "b": null, "c": 3.0}));
+        // alone is not best
+        assert_eq!(row(&rows, "tension.by_class.ring.max_n").best, Vec::<String>::new());
+    }
+
+    #[test]
+    fn what_all_have_alike_has_no_best() {
+        let summary = json!({"model": {"tractor_mass_kg": 166.8}});
+        assert!(rows(&[("a", summary.clone()), ("b", summary)], &[])[0].best.is_empty());
+    }
+
+    #[test]
+    fn reported_numbers_stand_beside_with_their_deviation() {
+        let summary = json!({"opening": {"area_max_time_s": 0.132, "area_max_m2": null}, "points": {"B": {"starts_s": -2}},
+                             "tension": {"max_where": "outline", "max_n": 10.0}});
+        let rows = rows(
+            &[("a", summary.clone()), ("b", summary)],
+            &[
+                ("a", "opening.area_max_time_s", json!(0.12)),
+                ("b", "points.B.starts_s", json!(-4)),
+                ("a", "tension.max_where", json!("traction")),
+                ("a", "tension.max_n", json!(0.0)),
+            ],
+        );
+        let time = row(&rows, "opening.area_max_time_s");
+        assert!((time.deviation_percent["a"].as_f64().unwrap() - 10.0).abs() < 1e-9);
+        assert!(!time.deviation_percent.contains_key("b"));
+        // above a negative number is above it
+        assert_eq!(row(&rows, "points.B.starts_s").deviation_percent["b"], json!(50.0));
+        let place = row(&rows, "tension.max_where");
+        assert_eq!((&place.reported["a"], place.deviation_percent.len()), (&json!("traction"), 0));
+        assert!(row(&rows, "tension.max_n").deviation_percent.is_empty());
+    }
+
+    #[test]
+    fn a_number_that_nobody_foresaw_is_compared_too() {
+        let rows = rows(&[("a", json!({"wind": {"gust": {"peak_m_s": 3.5}}})), ("b", json!({}))], &[]);
+        assert_eq!((&rows[0].label[..], &rows[0].unit[..], &rows[0].group[..]), ("gust, peak", "m/s", "Wind"));
+    }
+
+    #[test]
+    fn keys_stand_beside_their_neighbours() {
+        let lists = [vec!["a", "b", "d"], vec!["a", "c", "d", "e"], vec!["z", "a"]];
+        assert_eq!(merged(lists.iter().map(|list| list.iter().copied())), ["z", "a", "b", "c", "d", "e"]);
+    }
+}

@@ -1,0 +1,60 @@
+//! What each kind of rope bears, and what share of its strength that takes.
+
+use std::collections::BTreeMap;
+
+use crate::landmarks::Landmarks;
+use crate::summary::RopeUse;
+
+/// Tensions of each kind of rope at record times.
+#[derive(Debug, Clone)]
+pub struct RopeMeasures {
+    /// Smallest, sum and number of tensions, by rope.
+    kinds: Vec<(f64, f64, f64)>,
+}
+
+/// A largest tension, N, its time, s, and the link class where it occurred.
+pub type Largest<'l> = Option<(f64, f64, &'l str)>;
+
+impl RopeMeasures {
+    /// Of so many kinds of rope.
+    pub fn new(kinds: usize) -> RopeMeasures {
+        RopeMeasures { kinds: vec![(f64::MAX, 0.0, 0.0); kinds] }
+    }
+
+    /// The tensions of all segments at a record time, N, with the group of each.
+    pub fn add(&mut self, landmarks: &Landmarks, tension: &[f64], groups: &[usize]) {
+        for (&tension, &group) in tension.iter().zip(groups).filter(|(tension, _)| tension.is_finite()) {
+            if let Some(rope) = landmarks.groups[group].rope {
+                let (least, sum, count) = &mut self.kinds[rope];
+                (*least, *sum, *count) = (least.min(tension), *sum + tension, *count + 1.0);
+            }
+        }
+    }
+
+    /// The use of each rope by its name; `largest` is what it bore at any step.
+    pub fn finish<'l>(
+        &self,
+        landmarks: &Landmarks,
+        largest: impl Fn(usize) -> Largest<'l>,
+    ) -> BTreeMap<String, RopeUse> {
+        let of = |(index, (least, sum, count)): (usize, &(f64, f64, f64))| {
+            let rope = &landmarks.ropes[index];
+            let largest = largest(index);
+            let max_n = largest.map_or(0.0, |(tension, _, _)| tension);
+            let bears = rope.strength.map(|strength| strength * (1.0 - rope.knot_reduction.unwrap_or(0.0)));
+            let used = RopeUse {
+                min_n: (*count > 0.0).then_some(*least),
+                mean_n: (*count > 0.0).then(|| sum / count),
+                max_n,
+                max_time_s: largest.filter(|_| max_n > 0.0).map(|(_, time, _)| time),
+                max_where: largest.filter(|_| max_n > 0.0).map(|(_, _, class)| class.to_owned()),
+                strength_n: rope.strength,
+                knot_reduction: rope.knot_reduction,
+                utilisation: bears.map(|bears| max_n / bears),
+                margin: bears.filter(|_| max_n > 0.0).map(|bears| bears / max_n),
+            };
+            (rope.name.clone(), used)
+        };
+        self.kinds.iter().enumerate().map(of).collect()
+    }
+}
