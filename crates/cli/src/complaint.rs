@@ -16,6 +16,8 @@ pub enum Complaint {
     Argument(String),
     /// The run failed; what it had computed is kept: status 3.
     Failed(Failure, std::path::PathBuf),
+    /// Some of several runs failed; all are kept as far as they came: status 3.
+    SomeFailed(Vec<(String, Failure)>, std::path::PathBuf),
     /// Results could not be written: status 1.
     Fault(String),
 }
@@ -25,7 +27,7 @@ impl Complaint {
     pub fn status(&self) -> u8 {
         match self {
             Complaint::Input(_) | Complaint::Argument(_) => 2,
-            Complaint::Failed(..) => 3,
+            Complaint::Failed(..) | Complaint::SomeFailed(..) => 3,
             Complaint::Fault(_) => 1,
         }
     }
@@ -44,15 +46,27 @@ impl Complaint {
                 format!("{all}{count} error{}; nothing was written\n", if count == 1 { "" } else { "s" })
             }
             Complaint::Failed(failure, folder) => {
-                let accept = match failure {
-                    Failure::Unbalanced { .. } => "       or accept it with --set solve.on_energy_error=flag\n",
-                    _ => "",
-                };
+                let accept = accept(failure);
                 let kept = format!("       what was computed is in {}", folder.display());
                 format!("error: the run failed: {failure}\n{accept}{kept}\n")
             }
+            Complaint::SomeFailed(failures, folder) => {
+                let told = failures.iter().map(|(name, failure)| format!("error: {name} failed: {failure}\n"));
+                let told: String = told.collect();
+                let accept = failures.iter().map(|(_, failure)| accept(failure)).max().unwrap_or_default();
+                let kept = format!("       what was computed is compared in {}", folder.display());
+                format!("{told}{accept}{kept}\n")
+            }
             Complaint::Argument(message) | Complaint::Fault(message) => format!("error: {message}\n"),
         }
+    }
+}
+
+/// How a failure can be lived with, where it can.
+fn accept(failure: &Failure) -> &'static str {
+    match failure {
+        Failure::Unbalanced { .. } => "       or accept it with --set solve.on_energy_error=flag\n",
+        Failure::Stopped(_) => "",
     }
 }
 

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{check, init, report, run, schema, stow};
+use commands::{check, compare, init, report, run, schema, stow};
 use complaint::Complaint;
 
 /// Simulates flexible nets that are thrown.
@@ -28,7 +28,7 @@ First steps:
   netcast check scenario.toml   check it; say what it is made of and what a run costs
   netcast run scenario.toml     run it; results go to results/scenario/, report.html among them
 
-Not there yet: compare, export, import, verify, fit, study, intercept, bench
+Not there yet: export, import, verify, fit, study, intercept, bench
 
 Exit status:
   0  done
@@ -39,6 +39,7 @@ Exit status:
 #[derive(Subcommand)]
 enum Command {
     Run(run::Arguments),
+    Compare(compare::Arguments),
     Check(check::Arguments),
     Init(init::Arguments),
     Stow(stow::Arguments),
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
         Some(Command::Run(arguments)) => run::run(arguments),
+        Some(Command::Compare(arguments)) => compare::run(arguments),
         Some(Command::Check(arguments)) => check::run(arguments),
         Some(Command::Init(arguments)) => init::run(arguments),
         Some(Command::Stow(arguments)) => stow::run(arguments),

@@ -16,6 +16,7 @@
 //! [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at. ARCHITECTURE.md has the
 //! picture.
 
+mod compare;
 mod landmarks;
 mod run;
 
@@ -25,6 +26,7 @@ pub use netcast_results as results;
 pub use netcast_scenario as scenario;
 pub use netcast_webs as webs;
 
+pub use compare::{Compared, FEWEST, Lineup, MOST, compare};
 pub use landmarks::landmarks;
 pub use netcast_scenario::lower::Model;
 pub use netcast_scenario::{Diagnostics, Document, Scenario};

@@ -4,16 +4,20 @@
 //!  summary.json ──▶ words    what happened, in a designer's words ─┐
 //!               ──▶ tables   the numbers                           ├─▶ page ──▶ report.html
 //!  history.csv  ──▶ figures  the curves                            │
+//!  fields.vtkhdf ─▶ replay   the net in three dimensions           │
 //!  manifest.json ─▶ provenance                                    ─┘
 //! ```
 //!
 //! The page carries its charting library with it and forbids itself the network. It reads the folder and nothing else,
 //! so any result can be reported anew, by whatever version wrote it: what is missing or null is left out.
 
+mod compare;
 mod error;
 mod figures;
 mod format;
 mod page;
+mod pictures;
+mod replay;
 mod results;
 mod tables;
 mod words;
@@ -21,19 +25,26 @@ mod words;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+pub use compare::write_comparison;
 pub use error::ReportError;
+pub use pictures::write_pictures;
 pub use words::words;
 
-use results::Results;
+use netcast_results::folder;
+
+use results::{Results, read_json};
 
 /// Writes `report.html` into `result_dir` from the `summary.json`, `history.csv` and `manifest.json` there, and returns
-/// its path.
+/// its path. Of the folder of a comparison it is the page of [`write_comparison`].
 ///
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written.
 pub fn write_report(result_dir: &Path) -> Result<PathBuf, ReportError> {
+    if read_json(&result_dir.join(folder::SUMMARY))?["designs"].is_array() {
+        return write_comparison(result_dir);
+    }
     let results = Results::read(result_dir)?;
-    let path = result_dir.join("report.html");
+    let path = result_dir.join(folder::REPORT);
     fs::write(&path, page::html(&results)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     Ok(path)
 }

@@ -3,30 +3,43 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use netcast::report::{ReportError, write_report};
+use netcast::report::{ReportError, write_pictures, write_report};
 
 use crate::Ended;
 use crate::complaint::Complaint;
 use crate::screen::say;
 
-/// Write report.html of a result folder anew
+/// Write report.html of a result folder anew, and pictures of it
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
-  netcast report results/square_net")]
+  netcast report results/square_net
+  netcast report results/square_net --pictures   figures for a paper, without a browser")]
 pub struct Arguments {
     /// Result folder, as `netcast run` wrote it
     #[arg(value_name = "DIR")]
     folder: PathBuf,
+    /// Also write DIR/pictures/: postures, rope tensions, the stowed state and every curve as SVG and PNG, and the
+    /// launch as animation.gif
+    #[arg(long)]
+    pictures: bool,
 }
 
 /// Carries it out.
 pub fn run(arguments: &Arguments) -> Ended {
-    let path = write_report(&arguments.folder).map_err(|error| match error {
+    // what can lack its input comes first, so that a refusal leaves nothing written
+    let pictures = if arguments.pictures { write_pictures(&arguments.folder).map_err(complaint)? } else { Vec::new() };
+    let page = write_report(&arguments.folder).map_err(complaint)?;
+    for path in [page].into_iter().chain(pictures) {
+        say!("wrote {}", path.display());
+    }
+    Ok(())
+}
+
+fn complaint(error: ReportError) -> Complaint {
+    match error {
         ReportError::Write { .. } => Complaint::Fault(error.to_string()),
         ReportError::Read { .. } => Complaint::Argument(format!("{error}; name a folder that `netcast run` wrote")),
         _ => Complaint::Argument(error.to_string()),
-    })?;
-    say!("wrote {}", path.display());
-    Ok(())
+    }
 }

@@ -1,6 +1,7 @@
 //! The `netcast` command as a user meets it: what it prints, what it writes, how it ends.
 
 mod command_line;
+mod compare;
 mod contract;
 mod failing_runs;
 mod other_commands;

@@ -4,11 +4,12 @@ use std::fs;
 
 use crate::workbench::{Ended, Workbench, listing};
 
-const FILES: [&str; 8] = [
+const FILES: [&str; 9] = [
     "fields.vtkhdf",
     "history.csv",
     "inputs/",
     "inputs/scenario.toml",
+    "landmarks.json",
     "manifest.json",
     "report.html",
     "summary.json",

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!  inputs of each design  ──differences──▶ what was made or thrown otherwise ─┐
-//!  summary of each design ──table────────▶ a row a quantity, its best marked  ├─▶ Comparison ─▶ summary.json, summary.csv
-//!  numbers known elsewhere ──────────────▶ columns beside them                ─┘
+//!  summary of each design ──table────────▶ a row a quantity, its best marked  ├─▶ Comparison ─▶ summary.json,
+//!  numbers known elsewhere ──────────────▶ columns beside them                ─┘                 summary.csv
 //! ```
 //!
 //! The table takes every number of the summaries, under the same names: a number that a later version adds is compared
@@ -182,7 +182,8 @@ pub fn read_summary(folder: &Path) -> Result<Value, ResultError> {
     serde_json::from_str(&text).map_err(ResultError::json(&path))
 }
 
-/// SHA-256 over some parts, as hexadecimal: of each its length and its bytes, so that no two lists run into one another.
+/// SHA-256 over some parts, as hexadecimal: of each its length and its bytes, so that no two lists run into one
+/// another.
 pub fn hash<P: AsRef<[u8]>>(parts: impl IntoIterator<Item = P>) -> String {
     let mut hash = Sha256::new();
     for part in parts {

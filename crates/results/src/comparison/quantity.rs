@@ -1,6 +1,6 @@
 //! The quantities of a summary: what they are called, their units, and which of two values a net designer prefers.
 //!
-//! What [`NAMED`] does not list is compared all the same, under a label and a unit read off its key.
+//! What the table in this file does not list is compared all the same, under a label and a unit read off its key.
 
 use serde::Serialize;
 use serde_json::Value;

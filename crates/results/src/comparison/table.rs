@@ -205,7 +205,8 @@ mod tests {
 
     #[test]
     fn reported_numbers_stand_beside_with_their_deviation() {
-        let summary = json!({"opening": {"area_max_time_s": 0.132, "area_max_m2": null}, "points": {"B": {"starts_s": -2}},
+        let summary = json!({"opening": {"area_max_time_s": 0.132, "area_max_m2": null},
+                             "points": {"B": {"starts_s": -2}},
                              "tension": {"max_where": "outline", "max_n": 10.0}});
         let rows = rows(
             &[("a", summary.clone()), ("b", summary)],

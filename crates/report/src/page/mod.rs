@@ -1,20 +1,26 @@
 //! The page: words, tables and figures put into one HTML file that fetches nothing.
 //!
-//! `page.html` is the frame, `page.css` how it looks on screen and paper, `page.js` what draws the figures. The
-//! charting library is plotly.js, which the `plotly` crate carries.
+//! `page.html` is the frame, `page.css` how it looks on screen and paper. `charts.js` draws the figures, the replay's
+//! scripts the net, and `page.js` links the two. The charting library is plotly.js, which the `plotly` crate carries.
 
 use plotly::Plot;
 use serde_json::Value;
 
 use crate::figures::{Figure, figures};
 use crate::format::{duration, escape, percent, significant, time, with_prefix};
+use crate::pictures::{clouds_html, page_style, postures_html, stowed_html};
+use crate::replay::{self, BUDGET_BYTES, replay};
 use crate::results::Results;
-use crate::tables::tables;
+use crate::tables::{stowed, tables};
 use crate::words::words;
 
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
+pub(crate) const CHARTS: &str = include_str!("charts.js");
 const SCRIPT: &str = include_str!("page.js");
+
+const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: that takes fields.vtkhdf with a frame in it and \
+    landmarks.json, and this folder does not hold both.</p>\n";
 
 /// The whole page.
 pub(crate) fn html(results: &Results) -> String {
@@ -25,15 +31,21 @@ pub(crate) fn html(results: &Results) -> String {
         FRAME,
         &[
             ("title", escape(title)),
-            ("style", STYLE.into()),
+            ("style", format!("{STYLE}{}{}", replay::STYLE, page_style())),
             ("state", state(summary)),
             ("warnings", warnings(summary)),
             ("tiles", tiles(summary)),
+            ("replay", replay_section(results)),
             ("words", list_items(&words(summary))),
-            ("figures", figures.iter().map(figure_frame).collect()),
+            ("postures", section("postures", "Postures", &postures_html(results))),
+            ("clouds", section("clouds", "Tensions", &clouds_html(results))),
+            ("stowed", section("stowed", "The stowed state", &(stowed_html(results) + &stowed(summary)))),
+            ("inputs", section("inputs", "Inputs", &inputs(results))),
+            ("figures", figures.iter().map(|figure| figure_frame(figure.title, figure.note, figure.id)).collect()),
             ("tables", tables(summary)),
             ("provenance", provenance(summary, &results.manifest)),
             ("data", data(&figures)),
+            ("scripts", format!("{}{CHARTS}", replay::SCRIPT)),
             ("library", library()),
             ("script", SCRIPT.into()),
         ],
@@ -41,7 +53,7 @@ pub(crate) fn html(results: &Results) -> String {
 }
 
 /// The frame with each `{{name}}` replaced. What is put in is not looked at again, so a title may hold braces.
-fn fill(frame: &str, parts: &[(&str, String)]) -> String {
+pub(crate) fn fill(frame: &str, parts: &[(&str, String)]) -> String {
     let mut page = String::with_capacity(frame.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
     let mut rest = frame;
     while let Some((before, after)) = rest.split_once("{{") {
@@ -52,6 +64,38 @@ fn fill(frame: &str, parts: &[(&str, String)]) -> String {
         rest = after;
     }
     page + rest
+}
+
+/// A section of the page with a heading; none where it would be empty.
+fn section(class: &str, title: &str, body: &str) -> String {
+    if body.is_empty() {
+        return String::new();
+    }
+    format!("<section class=\"{class}\">\n<h2>{title}</h2>\n{body}</section>\n")
+}
+
+/// Where the replay is shown, and the run that it shows.
+fn replay_section(results: &Results) -> String {
+    let Some(scene) = &results.scene else { return section("replay", "Replay", NO_SCENE) };
+    let replay = replay(scene, "replay-data", BUDGET_BYTES);
+    let thinned = replay.thinned.map(|told| format!("<p class=\"hint\">{}</p>\n", escape(&told))).unwrap_or_default();
+    if replay.element.is_empty() {
+        return section("replay", "Replay", &thinned);
+    }
+    let stage = "<div class=\"replay-stage\"><div class=\"replay-card\"><div id=\"replay-view\"></div>\
+        <div id=\"replay-controls\"></div></div></div>\n";
+    section("replay", "Replay", &format!("{stage}{thinned}{}", replay.element))
+}
+
+/// The scenario as the run resolved it.
+fn inputs(results: &Results) -> String {
+    if results.scenario.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<details><summary>The scenario, with all that it left open filled in</summary>\n<pre>{}</pre></details>\n",
+        escape(&results.scenario)
+    )
 }
 
 fn state(summary: &Value) -> String {
@@ -111,16 +155,17 @@ fn tiles(summary: &Value) -> String {
         .collect()
 }
 
-fn figure_frame(figure: &Figure) -> String {
+/// Where a figure is drawn.
+pub(crate) fn figure_frame(title: &str, note: &str, id: &str) -> String {
     format!(
-        "<figure><figcaption><h3>{}</h3><p>{}</p></figcaption><div class=\"plot\" id=\"{}\"></div></figure>\n",
-        escape(figure.title),
-        escape(figure.note),
-        figure.id
+        "<figure><figcaption><h3>{}</h3><p>{}</p></figcaption>\
+         <div class=\"chart\"><div class=\"plot\" id=\"{id}\"></div></div><div class=\"key\"></div></figure>\n",
+        escape(title),
+        escape(note)
     )
 }
 
-fn provenance(summary: &Value, manifest: &Value) -> String {
+pub(crate) fn provenance(summary: &Value, manifest: &Value) -> String {
     let text = |value: &Value| value.as_str().map(str::to_owned);
     let short = |value: &Value| value.as_str().map(|hash| hash.chars().take(12).collect::<String>());
     let machine = &manifest["machine"];
@@ -146,14 +191,15 @@ fn data(figures: &[Figure]) -> String {
     Value::Array(figures.iter().map(Figure::json).collect()).to_string().replace('<', "\\u003c")
 }
 
-/// plotly.js as a script element, without the typesetting of formulas that the crate puts after it.
-fn library() -> String {
+/// plotly.js as an element that `charts.js` runs once the page stands, without the typesetting of formulas that the
+/// crate puts after it.
+pub(crate) fn library() -> String {
+    const START: &str = "<script type=\"text/javascript\">";
     const END: &str = "</script>";
-    let mut sources = Plot::offline_js_sources();
-    if let Some(end) = sources.find(END) {
-        sources.truncate(end + END.len());
-    }
-    sources
+    let sources = Plot::offline_js_sources();
+    let (_, sources) = sources.split_once(START).expect("the crate embeds the library as a script");
+    let (library, _) = sources.split_once(END).expect("a script ends");
+    format!("<script type=\"text/plain\" id=\"library\">{library}{END}\n")
 }
 
 #[cfg(test)]

@@ -1,0 +1,131 @@
+//! `netcast compare`
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use netcast::{Compared, Lineup, RunOptions, compare};
+use serde_json::Value;
+
+use crate::Ended;
+use crate::complaint::Complaint;
+use crate::progress::Bar;
+use crate::screen::{number, say};
+
+/// Compare designs side by side: run 2 to 12 of them, write one table and one report
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  netcast compare ring.toml star.toml
+  netcast compare results/ring star.toml --out results/ring-or-star
+  netcast compare ring.toml star.toml --set launch.axial_speed=\"60 m/s\"
+  netcast compare ring.toml star.toml --reported test.toml
+
+DIR then holds report.html, summary.json, summary.csv, and a result folder for each design, called like its file.
+
+A file of reported numbers, from a paper or a test, in SI under the names of summary.json:
+  source = \"Drop test of 12 May\"
+  [ring]
+  opening.area_max_time_s = 0.35
+
+Ctrl-C stops the runs at their next records; they are compared as far as they came, and the exit status is 3.")]
+pub struct Arguments {
+    /// Scenarios (TOML) to run, or result folders that `netcast run` wrote, which are taken as they are
+    #[arg(value_name = "SCENARIO", required = true)]
+    designs: Vec<PathBuf>,
+
+    /// Folder for the comparison [default: results/comparison]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Numbers known of the designs from elsewhere, to stand beside theirs
+    #[arg(long, value_name = "FILE.toml")]
+    reported: Option<PathBuf>,
+
+    /// Override a value of every scenario, such as launch.axial_speed="60 m/s"; may be given more than once
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    overrides: Vec<String>,
+
+    /// Threads to use at most; results do not depend on it [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+
+    /// No progress bar and no table on the screen
+    #[arg(long)]
+    quiet: bool,
+
+    /// Print summary.json to standard output, and nothing else there
+    #[arg(long)]
+    json: bool,
+}
+
+/// Carries it out.
+pub fn run(arguments: &Arguments) -> Ended {
+    let lineup = Lineup::read(&arguments.designs, &arguments.overrides, arguments.reported.as_deref())?;
+    let target = arguments.out.clone().unwrap_or_else(|| PathBuf::from("results").join("comparison"));
+    let mut options = RunOptions::default();
+    if let Some(threads) = arguments.threads {
+        options.threads = threads.into();
+    }
+
+    let stop = stop_on_signal()?;
+    let bar = Bar::new(arguments.quiet);
+    let interrupted = || stop.load(Ordering::Relaxed);
+    let compared = compare(&lineup, &target, &options, &|progress| bar.tell(progress), &interrupted);
+    bar.end();
+    let compared = compared?;
+
+    if arguments.json {
+        say!("{}", compared.comparison.to_json().trim_end());
+    } else if !arguments.quiet {
+        tell(&compared);
+    }
+    match compared.failures.is_empty() {
+        true => Ok(()),
+        false => Err(Complaint::SomeFailed(compared.failures, compared.folder)),
+    }
+}
+
+/// Set once the user asks to stop; at the second time the program ends.
+fn stop_on_signal() -> Result<Arc<AtomicBool>, Complaint> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let on_signal = stop.clone();
+    let handled = ctrlc::set_handler(move || {
+        // a second Ctrl-C does not wait for the next record
+        if on_signal.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    handled.map_err(|error| Complaint::Fault(format!("cannot listen for Ctrl-C: {error}")))?;
+    Ok(stop)
+}
+
+/// The quantities that a designer looks for first, the best of each row marked.
+fn tell(compared: &Compared) {
+    let designs = &compared.comparison.designs;
+    let head: Vec<String> = designs.iter().map(|design| design.name.clone()).collect();
+    let mut lines = vec![("".to_owned(), head)];
+    for row in compared.comparison.table.iter().filter(|row| row.headline) {
+        let unit = if row.unit.is_empty() { String::new() } else { format!(", {}", row.unit) };
+        let cell = |name: &String| {
+            let value = match &row.values[name] {
+                Value::Number(value) => value.as_f64().map_or("-".into(), |value| number(value, 4)),
+                Value::String(text) => text.clone(),
+                _ => "-".into(),
+            };
+            if row.best.contains(name) { format!("* {value}") } else { value }
+        };
+        lines.push((format!("{}{unit}", row.label), designs.iter().map(|design| cell(&design.name)).collect()));
+    }
+    let count = |text: &String| text.chars().count();
+    let first = lines.iter().map(|(label, _)| count(label)).max().unwrap_or(0);
+    let widths: Vec<usize> =
+        (0..designs.len()).map(|i| lines.iter().map(|(_, cells)| count(&cells[i])).max().unwrap_or(0)).collect();
+    for (label, cells) in &lines {
+        let cells: String = cells.iter().zip(&widths).map(|(cell, &width)| format!("  {cell:>width$}")).collect();
+        say!("{label:first$}{cells}");
+    }
+    say!("* best of the row; {} inputs differ, see the report", compared.comparison.differences.len());
+    say!("Open {}", compared.folder.join("report.html").display());
+}

@@ -1,0 +1,235 @@
+//! Which designs are compared: scenarios to be run, and results that are there already.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use netcast_dynamics::simulate::{Schedule, simulate};
+use netcast_results::comparison::read_summary;
+use netcast_results::{Manifest, Recorder, ResultError, Summary, folder};
+use netcast_scenario::lower::Model;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Place};
+use serde_json::Value;
+
+use super::SCENARIO;
+use super::reported::{Known, ReportedFile};
+use crate::landmarks;
+
+/// Designs that a comparison has at least.
+pub const FEWEST: usize = 2;
+/// Designs that it has at most: as many as a person tells apart in one figure.
+pub const MOST: usize = 12;
+
+/// The designs of a comparison, read and checked.
+#[derive(Debug)]
+pub struct Lineup {
+    pub(super) designs: Vec<Design>,
+    pub(super) reported: Option<ReportedFile>,
+}
+
+/// A design with a name of its own.
+#[derive(Debug)]
+pub(super) struct Design {
+    pub name: String,
+    pub origin: Origin,
+}
+
+/// Where a design's results come from.
+#[derive(Debug)]
+pub(super) enum Origin {
+    /// To be run.
+    Scenario { document: Box<Document>, model: Box<Model> },
+    /// There already.
+    Folder(PathBuf),
+}
+
+impl Lineup {
+    /// Reads designs: each a scenario's file, with the overrides as after `--set`, or a result folder, which is taken
+    /// as it is. `reported` is a file of numbers known of them from elsewhere.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, at once.
+    pub fn read(designs: &[PathBuf], overrides: &[String], reported: Option<&Path>) -> Result<Self, Diagnostics> {
+        let mut found = wrong_set(designs, overrides);
+        let names = names(designs);
+        let read: Vec<Result<Origin, Diagnostics>> = designs.iter().map(|path| Origin::read(path, overrides)).collect();
+        let reported = reported.and_then(|file| {
+            let known = names.iter().zip(&read).map(|(name, origin)| {
+                // of a design that cannot be read, any quantity may be reported
+                Known { design: name.clone(), summary: origin.as_ref().ok().and_then(|origin| origin.summary().ok()) }
+            });
+            ReportedFile::read(file, &known.collect::<Vec<_>>()).map_err(|faults| found.extend(faults)).ok()
+        });
+        let mut origins = Vec::new();
+        let scenarios = designs.iter().filter(|path| !path.is_dir()).count();
+        let mut overridden: Vec<(Diagnostic, Vec<String>)> = Vec::new();
+        for (name, origin) in names.iter().zip(read) {
+            match origin {
+                Ok(origin) => origins.push(origin),
+                Err(faults) => {
+                    for fault in faults.0 {
+                        match (&fault.place, overridden.iter_mut().find(|(known, _)| *known == fault)) {
+                            (Some(Place::Override(_)), Some((_, names))) => names.push(name.clone()),
+                            (Some(Place::Override(_)), None) => overridden.push((fault, vec![name.clone()])),
+                            _ => found.push(fault),
+                        }
+                    }
+                }
+            }
+        }
+        // an override is the same for all designs: where it is wrong for some, they are named
+        found.extend(overridden.into_iter().map(|(fault, names)| match names.len() == scenarios {
+            true => fault,
+            false => Diagnostic { message: format!("{} (for {})", fault.message, names.join(", ")), ..fault },
+        }));
+        Diagnostics::fail_if_any(found)?;
+        let designs = names.into_iter().zip(origins).map(|(name, origin)| Design { name, origin }).collect();
+        Ok(Self { designs, reported })
+    }
+
+    /// The designs' names, in the order they were given.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.designs.iter().map(|design| &design.name[..])
+    }
+}
+
+impl Origin {
+    fn read(path: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
+        if path.is_dir() {
+            return result_folder(path).map_err(|reason| wrong(format!("{}: {reason}", path.display())).into());
+        }
+        let document = Box::new(Document::read(path, overrides)?);
+        let model = Box::new(Model::new(&document)?);
+        Ok(Self::Scenario { document, model })
+    }
+
+    /// The design's summary; of one that is still to be run, that of its first step, which has the same keys.
+    fn summary(&self) -> Result<Value, ResultError> {
+        match self {
+            Self::Folder(path) => read_summary(path),
+            Self::Scenario { model, .. } => {
+                let (system, state) = (&model.system, &model.state);
+                let dt = model.largest_dt();
+                let mut tell = |_| {};
+                let mut recorder = Recorder::new(system, state, landmarks(model), 1, &mut tell, &|| false)?;
+                let outcome = simulate(system, state, &Schedule::new(dt, dt, dt), 1, &mut recorder);
+                let recording = recorder.finish(&outcome, (1.0, 1.0))?;
+                let summary = Summary {
+                    opening: recording.opening,
+                    points: recording.points,
+                    tension: recording.tension,
+                    target: recording.target,
+                    energy: recording.energy,
+                    ..Summary::default()
+                };
+                Ok(serde_json::to_value(summary).expect("string keys and plain data"))
+            }
+        }
+    }
+}
+
+fn wrong(message: String) -> Diagnostic {
+    Diagnostic::new("", message, None)
+}
+
+/// What is wrong with the designs as a set.
+fn wrong_set(designs: &[PathBuf], overrides: &[String]) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    if !(FEWEST..=MOST).contains(&designs.len()) {
+        found.push(wrong(format!("expected {FEWEST} to {MOST} designs to compare, found {}", designs.len())));
+    }
+    let whole: Vec<PathBuf> = designs.iter().map(|path| whole(path)).collect();
+    for (index, path) in designs.iter().enumerate() {
+        if whole[..index].contains(&whole[index]) {
+            found.push(wrong(format!("{} is named twice", path.display())));
+        }
+    }
+    if !overrides.is_empty() && !designs.is_empty() && designs.iter().all(|path| path.is_dir()) {
+        found.push(wrong("there is nothing to --set: results that are there already are not run again".into()));
+    }
+    found
+}
+
+/// A folder that `netcast run` wrote, with all that a comparison needs.
+fn result_folder(path: &Path) -> Result<Origin, String> {
+    if !Manifest::marks(path) {
+        return Err("expected a scenario or a result folder that netcast wrote".into());
+    }
+    let origin = Origin::Folder(path.to_owned());
+    let summary = origin.summary().map_err(|error| error.to_string())?;
+    if summary["designs"].is_array() {
+        return Err("it is a comparison; name the folders of designs in it".into());
+    }
+    for needed in [PathBuf::from(folder::HISTORY), Path::new(folder::INPUTS).join(SCENARIO)] {
+        if !path.join(&needed).is_file() {
+            return Err(format!("it has no {}", needed.display()));
+        }
+    }
+    Ok(origin)
+}
+
+/// A name for each design: its file's or folder's, where need be with that of the folder it lies in, or a number.
+fn names(designs: &[PathBuf]) -> Vec<String> {
+    let own = |path: &PathBuf| {
+        let name =
+            if path.is_dir() { whole(path).file_name().map(Into::into) } else { path.file_stem().map(Into::into) };
+        name.unwrap_or_else(|| PathBuf::from("design")).to_string_lossy().into_owned()
+    };
+    let own: Vec<String> = designs.iter().map(own).collect();
+    let whole: Vec<PathBuf> = designs.iter().map(|path| whole(path)).collect();
+    let told = whole.iter().zip(&own).map(|(path, name)| {
+        // some file systems do not tell upper from lower case; a file that is named twice is told of elsewhere
+        let is_same = |(other, other_name): (&PathBuf, &String)| {
+            other != path && other_name.to_lowercase() == name.to_lowercase()
+        };
+        let parent = path.parent().and_then(Path::file_name).map(|parent| parent.to_string_lossy().into_owned());
+        match parent.filter(|_| whole.iter().zip(&own).any(is_same)) {
+            Some(parent) => format!("{}_{name}", parent.trim_start_matches('.')),
+            None => name.clone(),
+        }
+    });
+    // a design's folder stands beside the files of the comparison
+    let mut taken: BTreeSet<String> = folder::OURS.iter().map(|name| (*name).to_owned()).collect();
+    told.map(|name| {
+        let numbered = (1..).map(|count| if count == 1 { name.clone() } else { format!("{name}_{count}") });
+        let free = numbered.into_iter().find(|name| taken.insert(name.to_lowercase()));
+        free.expect("numbers do not run out")
+    })
+    .collect()
+}
+
+/// The absolute path, links followed where it exists.
+fn whole(path: &Path) -> PathBuf {
+    fs::canonicalize(path).or_else(|_| std::path::absolute(path)).unwrap_or_else(|_| path.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(paths: &[&str]) -> Vec<String> {
+        names(&paths.iter().map(PathBuf::from).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn names_are_those_of_the_files_made_unique_where_they_are_equal() {
+        assert_eq!(named(&["nets/ring.toml", "nets/star.toml"]), ["ring", "star"]);
+        assert_eq!(
+            named(&["/x/ring/net.toml", "/x/star/net.toml", "/x/other.toml"]),
+            ["ring_net", "star_net", "other"]
+        );
+        assert_eq!(named(&["/x/ring/net.toml", "/y/ring/Net.toml"]), ["ring_net", "ring_Net_2"]);
+        // a folder of that name would take the place of the comparison's own file
+        assert_eq!(named(&["/x/summary.json.toml", "/x/b.toml"]), ["summary.json_2", "b"]);
+    }
+
+    #[test]
+    fn what_is_wrong_with_the_set_is_told_at_once() {
+        let error = Lineup::read(&["no_such_net.toml".into()], &[], None).unwrap_err().to_string();
+        assert!(error.contains("expected 2 to 12 designs to compare, found 1"), "{error}");
+        assert!(error.contains("cannot read no_such_net.toml"), "{error}");
+        let many: Vec<PathBuf> = (0..13).map(|_| "no_such_net.toml".into()).collect();
+        let error = Lineup::read(&many, &[], None).unwrap_err().to_string();
+        assert!(error.contains("found 13") && error.contains("no_such_net.toml is named twice"), "{error}");
+    }
+}

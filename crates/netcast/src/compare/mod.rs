@@ -1,0 +1,274 @@
+//! Designs side by side: run at the same time, and put into one folder with one table and one page.
+
+mod lineup;
+mod reported;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Instant;
+
+use netcast_report::write_comparison;
+use netcast_results::comparison::{Comparison, Entrant, hash, read_summary};
+use netcast_results::{Machine, Manifest, ResultError, ResultFolder, folder};
+use netcast_scenario::path::Path as ValuePath;
+use netcast_scenario::tree::{Tree, Value};
+use serde_json::Value as Json;
+
+use crate::{Failure, Progress, RunError, RunOptions, run, schedule};
+
+pub use lineup::{FEWEST, Lineup, MOST};
+
+use lineup::{Design, Origin};
+
+/// Designs that were compared.
+#[derive(Debug)]
+pub struct Compared {
+    /// What is in the comparison's summary.json.
+    pub comparison: Comparison,
+    /// The folder of the comparison.
+    pub folder: PathBuf,
+    /// The designs that failed on the way, with why, in the order of the comparison.
+    pub failures: Vec<(String, Failure)>,
+}
+
+/// Runs the designs of a line-up and writes their results and the comparison to `target`: several at a time, on so many
+/// threads in all, which the results do not depend on. `progress` hears of all runs as if they were one after another;
+/// once `interrupted` says so, every run stops at its next record.
+///
+/// # Errors
+/// [`RunError`], with nothing written, where `target` or a result cannot be written. A design that fails on the way is
+/// no error: it is compared as far as it came, and told of in [`Compared::failures`].
+pub fn compare(
+    lineup: &Lineup,
+    target: &Path,
+    options: &RunOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+    interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Compared, RunError> {
+    let clock = Instant::now();
+    let outer = ResultFolder::create(target)?;
+    let ended = run_all(&lineup.designs, outer.path(), options.threads, progress, interrupted)?;
+
+    let read = |(design, failure): (&Design, &Option<Failure>)| {
+        let failure = failure.as_ref().map(Failure::to_string);
+        entrant(&design.name, &outer.path().join(&design.name), failure)
+    };
+    let entrants = lineup.designs.iter().zip(&ended).map(read).collect::<Result<Vec<_>, _>>()?;
+    let reported = lineup.reported.as_ref().map(|file| &file.reported);
+    let comparison = Comparison::of(&entrants, reported);
+    comparison.write(&outer.path().join(folder::SUMMARY))?;
+    comparison.write_csv(&outer.path().join(folder::SUMMARY_CSV))?;
+    if let Some(file) = &lineup.reported {
+        let inputs = outer.path().join(folder::INPUTS);
+        let path = inputs.join("reported.toml");
+        let written = fs::create_dir(&inputs).and_then(|()| fs::write(&path, &file.text));
+        written.map_err(ResultError::write(&path))?;
+    }
+    manifest(&lineup.designs, outer.path(), options.threads, clock)?;
+    write_comparison(outer.path())?;
+
+    let names = lineup.designs.iter().map(|design| design.name.clone());
+    let failures = names.zip(ended).filter_map(|(name, failure)| Some((name, failure?))).collect();
+    Ok(Compared { comparison, folder: outer.publish()?, failures })
+}
+
+/// Runs every scenario and copies every result, each into its own folder within `to`; says how each ended.
+fn run_all(
+    designs: &[Design],
+    to: &Path,
+    threads: usize,
+    progress: &(dyn Fn(Progress) + Sync),
+    interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Vec<Option<Failure>>, RunError> {
+    let reached = Reached::new(designs);
+    let (next, abandoned) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let ended: Vec<Mutex<Result<Option<Failure>, RunError>>> = designs.iter().map(|_| Mutex::new(Ok(None))).collect();
+    let work = |threads: usize| {
+        // the next design that nobody has taken; after an error the others need not go on
+        while let Some(index) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < designs.len()) {
+            let stop = || interrupted() || abandoned.load(Ordering::Relaxed);
+            let mut tell = |own: Progress| progress(reached.with(index, own.time_s));
+            let design = &designs[index];
+            let result = match &design.origin {
+                Origin::Folder(from) => copy_result(from, &to.join(&design.name)).map(|()| None),
+                Origin::Scenario { document, .. } => {
+                    let ran = run(document, &to.join(&design.name), &RunOptions { threads }, &mut tell, &stop);
+                    ran.map(|ran| ran.failure)
+                }
+            };
+            abandoned.fetch_or(result.is_err(), Ordering::Relaxed);
+            *ended[index].lock().expect("no run panics while it tells its end") = result;
+        }
+    };
+    let workers = threads.clamp(1, designs.len());
+    let (each, over) = (threads.max(1) / workers, threads.max(1) % workers);
+    std::thread::scope(|scope| {
+        for worker in 0..workers {
+            let work = &work;
+            scope.spawn(move || work(each + usize::from(worker < over)));
+        }
+    });
+    ended.into_iter().map(|end| end.into_inner().expect("no run panics while it tells its end")).collect()
+}
+
+/// How far each run is.
+struct Reached {
+    times: Mutex<Vec<f64>>,
+    end_s: f64,
+}
+
+impl Reached {
+    fn new(designs: &[Design]) -> Self {
+        let end = |design: &Design| match &design.origin {
+            Origin::Folder(_) => 0.0,
+            Origin::Scenario { model, .. } => schedule(model).end,
+        };
+        Self { times: Mutex::new(vec![0.0; designs.len()]), end_s: designs.iter().map(end).sum() }
+    }
+
+    /// All runs together, now that the one at `index` is at `time`.
+    fn with(&self, index: usize, time: f64) -> Progress {
+        let mut times = self.times.lock().expect("sums do not panic");
+        times[index] = time;
+        Progress { time_s: times.iter().sum(), end_s: self.end_s }
+    }
+}
+
+/// Copies all of ours in a result folder.
+fn copy_result(from: &Path, to: &Path) -> Result<(), RunError> {
+    fs::create_dir(to).map_err(ResultError::write(to))?;
+    for name in folder::OURS {
+        let source = from.join(name);
+        if source.exists() {
+            copy(&source, &to.join(name))?;
+        }
+    }
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), ResultError> {
+    if !from.is_dir() {
+        return fs::copy(from, to).map(|_| ()).map_err(ResultError::read(from));
+    }
+    fs::create_dir(to).map_err(ResultError::write(to))?;
+    for entry in fs::read_dir(from).map_err(ResultError::read(from))? {
+        let entry = entry.map_err(ResultError::read(from))?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}
+
+/// A design as its result folder has it.
+fn entrant(name: &str, results: &Path, failure: Option<String>) -> Result<Entrant, ResultError> {
+    let summary = read_summary(results)?;
+    let inputs = results.join(folder::INPUTS);
+    let path = inputs.join(SCENARIO);
+    let text = fs::read_to_string(&path).map_err(ResultError::read(&path))?;
+    let mut values = Vec::new();
+    // what netcast wrote is TOML; of an input that somebody broke since, nothing is told
+    if let Ok(tree) = Tree::parse(&text) {
+        flatten(&ValuePath::default(), &tree.root.value, &mut values);
+    }
+    values.extend(files(&inputs)?);
+    Ok(Entrant { name: name.to_owned(), summary, inputs: values, failure })
+}
+
+/// The resolved scenario among the inputs of a result.
+const SCENARIO: &str = "scenario.toml";
+
+/// Every value of a scenario under its dotted path.
+fn flatten(path: &ValuePath, value: &Value, into: &mut Vec<(String, Json)>) {
+    match value {
+        // an empty section says nothing; an empty variant, such as `[stow.roll]`, says which one it is
+        Value::Table(table) if table.0.is_empty() && path.0.len() > 1 => into.push((path.to_string(), json(value))),
+        Value::Table(table) => {
+            table.0.iter().for_each(|entry| flatten(&path.key(&entry.key), &entry.node.value, into));
+        }
+        Value::Array(elements) if elements.iter().any(|element| element.value.as_table().is_some()) => {
+            elements.iter().enumerate().for_each(|(i, element)| flatten(&path.index(i), &element.value, into));
+        }
+        leaf => into.push((path.to_string(), json(leaf))),
+    }
+}
+
+fn json(value: &Value) -> Json {
+    match value {
+        Value::String(text) => Json::from(text.as_str()),
+        Value::Integer(number) => Json::from(*number),
+        Value::Float(number) => Json::from(*number),
+        Value::Boolean(value) => Json::from(*value),
+        Value::Datetime(datetime) => Json::from(datetime.to_string()),
+        Value::Array(elements) => elements.iter().map(|element| json(&element.value)).collect(),
+        Value::Table(table) => table.0.iter().map(|entry| (entry.key.clone(), json(&entry.node.value))).collect(),
+    }
+}
+
+/// The files that a scenario names, each by a hash of what is in it: two webs may be drawn in files of one name.
+fn files(inputs: &Path) -> Result<Vec<(String, Json)>, ResultError> {
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(inputs).map_err(ResultError::read(inputs))? {
+        let path = entry.map_err(ResultError::read(inputs))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_file() && name != SCENARIO {
+            let bytes = fs::read(&path).map_err(ResultError::read(&path))?;
+            let told = format!("{} bytes, SHA-256 {}", bytes.len(), &hash([&bytes])[..12]);
+            files.insert(format!("{}/{name}", folder::INPUTS), Json::from(told));
+        }
+    }
+    Ok(files.into_iter().collect())
+}
+
+/// Marks the comparison's folder as ours, and says where it comes from.
+fn manifest(designs: &[Design], to: &Path, threads: usize, clock: Instant) -> Result<(), ResultError> {
+    let mut parts = Vec::new();
+    for design in designs {
+        let own = Manifest::read(&to.join(&design.name).join(folder::MANIFEST))?;
+        parts.extend([design.name.clone(), own.input_hash]);
+    }
+    let mut manifest = Manifest::new(hash(parts), Machine::this(), threads);
+    manifest.wall_time_s = clock.elapsed().as_secs_f64();
+    manifest.write(&to.join(folder::MANIFEST))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_are_told_by_path_with_their_units() {
+        let tree = Tree::parse(
+            "title = \"x\"\n[web.graph]\noutline = [\"n1\", \"n2\"]\n[stow.roll]\n[measure]\n[[tractors]]\ncorner = 3\n\
+             axial_speed = \"5 m/s\"\n[points]\n\"knot 3\" = \"n4\"\n",
+        );
+        let mut found = Vec::new();
+        flatten(&ValuePath::default(), &tree.unwrap().root.value, &mut found);
+        let told: Vec<String> = found.iter().map(|(path, value)| format!("{path}={value}")).collect();
+        assert_eq!(
+            told,
+            [
+                "title=\"x\"",
+                "web.graph.outline=[\"n1\",\"n2\"]",
+                "stow.roll={}",
+                "tractors[0].corner=3",
+                "tractors[0].axial_speed=\"5 m/s\"",
+                "points.\"knot 3\"=\"n4\"",
+            ]
+        );
+    }
+
+    #[test]
+    fn files_of_one_name_with_other_content_differ() {
+        let folder = tempfile::tempdir().unwrap();
+        let told = |text: &str| {
+            fs::write(folder.path().join("nodes.csv"), text).unwrap();
+            fs::write(folder.path().join(SCENARIO), "").unwrap();
+            files(folder.path()).unwrap()
+        };
+        let (one, other) = (told("id,x\n1,0\n"), told("id,x\n1,1\n"));
+        assert_eq!((one.len(), &one[0].0), (1, &other[0].0));
+        assert_ne!(one, other);
+    }
+}

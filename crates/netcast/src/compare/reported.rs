@@ -1,0 +1,237 @@
+//! Numbers known of designs from elsewhere: a paper, a test, another program.
+//!
+//! ```toml
+//! source = "Drop test of 12 May"
+//!
+//! [square_net]                          # a design of the comparison
+//! opening.area_max_time_s = 0.35        # a quantity of its summary.json, in the same unit
+//! tension.max_where = "outline"
+//! ```
+
+use std::path::Path;
+use std::sync::Arc;
+
+use netcast_results::comparison::quantity::{Quantity, leaves};
+use netcast_results::comparison::{Reported, ReportedValue};
+use netcast_scenario::nearest::nearest;
+use netcast_scenario::path::Path as ValuePath;
+use netcast_scenario::tree::{Origin, Table, Tree, Value};
+use netcast_scenario::{Diagnostic, Place, Source};
+use serde_json::Value as Json;
+
+/// The key of the file that no design may have for a name.
+const SOURCE: &str = "source";
+
+/// A file of reported numbers.
+#[derive(Debug)]
+pub(super) struct ReportedFile {
+    pub reported: Reported,
+    /// As it was written.
+    pub text: String,
+}
+
+/// A design that numbers may be reported of, with a summary that has all of its quantities where it could be read.
+pub(super) struct Known {
+    pub design: String,
+    pub summary: Option<Json>,
+}
+
+impl ReportedFile {
+    /// Reads a file and checks it against the designs; all that is wrong with it otherwise.
+    pub(super) fn read(file: &Path, known: &[Known]) -> Result<Self, Vec<Diagnostic>> {
+        let text = std::fs::read_to_string(file)
+            .map_err(|error| vec![Diagnostic::new("", format!("cannot read {}: {error}", file.display()), None)])?;
+        let source = Arc::new(Source { name: file.display().to_string(), text: text.clone() });
+        let mut reader = Reader { source, known, reported: Reported::default(), found: Vec::new() };
+        match Tree::parse(&text) {
+            Ok(tree) => reader.root(&tree),
+            Err(faults) => faults.iter().for_each(|fault| reader.wrong("", &fault.message, &fault.origin, None)),
+        }
+        match reader.found.is_empty() {
+            true => Ok(Self { reported: reader.reported, text }),
+            false => Err(reader.found),
+        }
+    }
+}
+
+struct Reader<'k> {
+    source: Arc<Source>,
+    known: &'k [Known],
+    reported: Reported,
+    found: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn root(&mut self, tree: &Tree) {
+        let Some(table) = tree.root.value.as_table() else { return };
+        match table.get(SOURCE).map(|node| (&node.value, &node.origin)) {
+            Some((Value::String(text), _)) => self.reported.source = text.clone(),
+            Some((other, origin)) => {
+                self.wrong(SOURCE, &format!("expected a text, found {}", other.describe()), origin, None);
+            }
+            None => {
+                let help = "write source = \"...\": where the numbers come from";
+                self.wrong("", "missing key `source`", &tree.root.origin, Some(help.into()));
+            }
+        }
+        for entry in table.0.iter().filter(|entry| entry.key != SOURCE) {
+            let path = ValuePath::default().key(&entry.key);
+            match (self.known.iter().find(|known| known.design == entry.key), &entry.node.value) {
+                (Some(known), Value::Table(quantities)) => self.design(known, quantities, &path),
+                (Some(_), other) => {
+                    let message = format!("expected a table of quantities, found {}", other.describe());
+                    self.wrong(&path.to_string(), &message, &entry.node.origin, None);
+                }
+                (None, _) => {
+                    let names: Vec<&str> = self.known.iter().map(|known| &known.design[..]).collect();
+                    let near = nearest(&entry.key, &names).map(|near| format!("did you mean `{near}`? "));
+                    let help = format!("{}compared here: {}", near.unwrap_or_default(), names.join(", "));
+                    let message = format!("no design is called `{}`", entry.key);
+                    self.wrong(&path.to_string(), &message, &entry.origin, Some(help));
+                }
+            }
+        }
+    }
+
+    /// The quantities of a design; `path` is that of `table` in the file, where the first step names the design.
+    fn design(&mut self, known: &Known, table: &Table, path: &ValuePath) {
+        for entry in &table.0 {
+            let here = path.key(&entry.key);
+            if let Value::Table(inner) = &entry.node.value {
+                self.design(known, inner, &here);
+                continue;
+            }
+            let quantity = ValuePath(here.0[1..].to_vec()).to_string();
+            let in_summary = known.summary.as_ref().map(|summary| {
+                let all = leaves(summary);
+                match all.iter().find(|(path, _)| *path == quantity) {
+                    Some((_, value)) => Ok((*value).clone()),
+                    None => Err(nearest_quantity(&quantity, all.iter().map(|(path, _)| path.as_str()))),
+                }
+            });
+            let value = match (&entry.node.value, in_summary) {
+                (_, Some(Err(near))) => {
+                    let message = format!("`{quantity}` is no quantity of its summary.json");
+                    let help = near.map(|near| format!("did you mean `{near}`?"));
+                    self.wrong(&here.to_string(), &message, &entry.origin, help);
+                    continue;
+                }
+                (Value::Float(number), Some(Ok(Json::Number(_) | Json::Null)) | None) if number.is_finite() => {
+                    Json::from(*number)
+                }
+                (Value::Integer(number), Some(Ok(Json::Number(_) | Json::Null)) | None) => Json::from(*number),
+                (Value::String(text), Some(Ok(Json::String(_) | Json::Null)) | None) if !names_a_number(&quantity) => {
+                    Json::from(text.as_str())
+                }
+                (other, expected) => {
+                    let expected = match expected {
+                        Some(Ok(Json::String(_))) => "a text",
+                        _ => "a number in the unit that the key names",
+                    };
+                    let message = format!("expected {expected}, found {}", other.describe());
+                    self.wrong(&here.to_string(), &message, &entry.node.origin, None);
+                    continue;
+                }
+            };
+            self.reported.values.push(ReportedValue { design: known.design.clone(), quantity, value });
+        }
+    }
+
+    fn wrong(&mut self, path: &str, message: &str, origin: &Origin, help: Option<String>) {
+        let place = match origin {
+            Origin::File(span) => Some(Place::File { source: self.source.clone(), span: span.clone() }),
+            Origin::Override(_) => None,
+        };
+        self.found.push(Diagnostic { help, ..Diagnostic::new(path, message, place) });
+    }
+}
+
+/// Whether a quantity that has no value yet will be a number: its key says a unit.
+fn names_a_number(quantity: &str) -> bool {
+    !Quantity::at(quantity).unit.is_empty()
+}
+
+/// The known quantity nearest to a path: the same last key elsewhere counts as near, else few letters changed.
+fn nearest_quantity<'q>(path: &str, known: impl Iterator<Item = &'q str> + Clone) -> Option<String> {
+    let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
+    let same_end: Vec<&str> = known.clone().filter(|known| last(known) == last(path)).collect();
+    match same_end[..] {
+        [only] => Some(only.to_owned()),
+        _ => nearest(path, known),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use netcast_scenario::Diagnostics;
+    use serde_json::json;
+
+    use super::*;
+
+    fn read(text: &str) -> Result<Reported, Vec<String>> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("reported.toml");
+        std::fs::write(&file, text).unwrap();
+        let summary = json!({
+            "opening": {"area_max_time_s": null, "area_max_m2": 3.0},
+            "tension": {"max_where": null, "max_n": 2.0, "by_class": {"rope hexagon": {"max_n": 1.0}}},
+        });
+        let known =
+            [Known { design: "ring".into(), summary: Some(summary) }, Known { design: "star".into(), summary: None }];
+        // in the order of the file, as they are shown
+        let told = |faults: Vec<Diagnostic>| {
+            let text = Diagnostics::fail_if_any(faults).unwrap_err().to_string();
+            text.split('\n').map(|line| line.split_once("reported.toml:").unwrap().1.to_owned()).collect()
+        };
+        ReportedFile::read(&file, &known).map(|file| file.reported).map_err(told)
+    }
+
+    #[test]
+    fn numbers_and_texts_are_read_by_design_and_path() {
+        let reported = read(
+            "source = \"a test\"\n[ring]\nopening.area_max_time_s = 0.12\ntension.max_where = \"outline\"\n\
+             tension.by_class.\"rope hexagon\".max_n = 5\n[star]\nanything.goes_n = 1.5\n",
+        )
+        .unwrap();
+        assert_eq!(reported.source, "a test");
+        let told: Vec<String> =
+            reported.values.iter().map(|v| format!("{} {} {}", v.design, v.quantity, v.value)).collect();
+        assert_eq!(
+            told,
+            [
+                "ring opening.area_max_time_s 0.12",
+                "ring tension.max_where \"outline\"",
+                "ring tension.by_class.\"rope hexagon\".max_n 5",
+                "star anything.goes_n 1.5",
+            ]
+        );
+    }
+
+    #[test]
+    fn every_fault_has_its_place_and_the_nearest_known() {
+        let faults = read(
+            "[rinng]\nopening.area_max_m2 = 1\n[ring]\nopening.area_max_times_s = 0.1\narea_max_m2 = 3\n\
+             opening.area_max_m2 = \"15 m^2\"\nopening.area_max_time_s = \"soon\"\n[star]\n",
+        )
+        .unwrap_err();
+        let expected = [
+            "1:1: missing key `source`",
+            "1:2: rinng: no design is called `rinng` (did you mean `ring`? compared here: ring, star)",
+            "4:9: ring.opening.area_max_times_s: `opening.area_max_times_s` is no quantity of its summary.json \
+             (did you mean `opening.area_max_time_s`?)",
+            "5:1: ring.area_max_m2: `area_max_m2` is no quantity of its summary.json \
+             (did you mean `opening.area_max_m2`?)",
+            "6:23: ring.opening.area_max_m2: expected a number in the unit that the key names, found the string",
+            "7:27: ring.opening.area_max_time_s: expected a number in the unit that the key names, found the string",
+        ];
+        assert_eq!(faults.len(), expected.len(), "{faults:#?}");
+        for (found, expected) in faults.iter().zip(expected) {
+            assert!(found.starts_with(expected), "{found}\nis not\n{expected}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_toml_is_told_with_its_line() {
+        assert!(read("source = \n").unwrap_err()[0].starts_with("1:"));
+    }
+}

@@ -1,0 +1,209 @@
+//! A comparison as one HTML page that works offline: what differs, one table, replays in step, curves over each other.
+//!
+//! ```text
+//!  summary.json of the comparison ──▶ tables   differences and results ─┐
+//!  history.csv of each design     ──▶ figures  a curve a design         ├─▶ report.html
+//!  fields.vtkhdf of each design   ──▶ replay   all on one clock        ─┘
+//! ```
+//!
+//! A design has the same colour, dash and place everywhere.
+
+mod figures;
+mod tables;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use netcast_results::folder;
+use serde_json::{Value, json};
+
+use figures::{Overlay, overlays};
+use tables::{all_quantities, differences, headlines};
+
+use crate::ReportError;
+use crate::format::escape;
+use crate::page::{CHARTS, fill, library, provenance};
+use crate::replay::{self, replay};
+use crate::results::{Results, read_json};
+
+const FRAME: &str = include_str!("compare.html");
+const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("compare.css"));
+const SCRIPT: &str = include_str!("compare.js");
+
+/// Writes `report.html` into the folder of a comparison from its `summary.json` and `manifest.json` and the result
+/// folders of its designs, and returns its path.
+///
+/// # Errors
+/// [`ReportError`] names the file that is missing, malformed or cannot be written.
+pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
+    let comparison = read_json(&comparison_dir.join(folder::SUMMARY))?;
+    let manifest = read_json(&comparison_dir.join(folder::MANIFEST))?;
+    let designs = comparison["designs"].as_array().map_or(&[][..], Vec::as_slice);
+    let mut overlay = Overlay::default();
+    let mut replays = String::new();
+    let mut notes = Vec::new();
+    for (index, design) in designs.iter().enumerate() {
+        // one at a time: the fields of a dozen designs need not be in memory together
+        let results = Results::read(&comparison_dir.join(text(&design["folder"])))?;
+        overlay.add(index, &results);
+        let name = text(&design["name"]);
+        match &results.scene {
+            Some(scene) => {
+                let packed = replay(scene, &format!("replay-{index}"), replay::BUDGET_BYTES / designs.len());
+                replays += &packed.element;
+                notes.extend(packed.thinned.map(|thinned| format!("{name}: {thinned}")));
+            }
+            None => {
+                notes.push(format!("{name}: its folder holds no fields or landmarks, so there is no replay of it."))
+            }
+        }
+    }
+    let parts = Parts { comparison: &comparison, manifest: &manifest, designs, replays, notes };
+    let path = comparison_dir.join(folder::REPORT);
+    fs::write(&path, parts.html(&overlay)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    Ok(path)
+}
+
+struct Parts<'c> {
+    comparison: &'c Value,
+    manifest: &'c Value,
+    designs: &'c [Value],
+    /// Elements that hold the packed runs.
+    replays: String,
+    /// What of the replays is not shown.
+    notes: Vec<String>,
+}
+
+impl Parts<'_> {
+    fn html(&self, overlay: &Overlay) -> String {
+        let figures = overlays(overlay);
+        let charts = figures.iter().map(|figure| figure.frame()).collect();
+        let data = json!({
+            "designs": self.designs.iter().map(|design| &design["name"]).collect::<Vec<_>>(),
+            "dashes": DASHES.map(|dash| dash.replace(' ', ",").replace("none", "solid")),
+            "figures": figures.iter().map(|figure| figure.json(self.designs)).collect::<Vec<_>>(),
+        });
+        fill(
+            FRAME,
+            &[
+                ("title", escape(text(&self.comparison["title"]))),
+                ("style", STYLE.into()),
+                ("replay-style", replay::STYLE.into()),
+                ("designs", self.designs.iter().enumerate().map(|(index, design)| card(index, design)).collect()),
+                ("failures", self.failures()),
+                ("differences", differences(self.comparison)),
+                ("headlines", headlines(self.comparison)),
+                ("quantities", all_quantities(self.comparison)),
+                ("source", self.source()),
+                ("stages", self.designs.iter().enumerate().map(|(index, design)| stage(index, design)).collect()),
+                ("replay-notes", self.notes.iter().map(|note| format!("<p>{}</p>\n", escape(note))).collect()),
+                ("figures", charts),
+                ("provenance", provenance(self.comparison, self.manifest)),
+                // no `<` may stand within a script element
+                ("data", data.to_string().replace('<', "\\u003c")),
+                ("replays", self.replays.clone()),
+                ("library", library()),
+                ("scripts", [replay::SCRIPT, CHARTS].concat()),
+                ("script", SCRIPT.into()),
+            ],
+        )
+    }
+
+    /// The designs that failed, with why.
+    fn failures(&self) -> String {
+        let told: String = self
+            .designs
+            .iter()
+            .filter_map(|design| {
+                let name = escape(text(&design["name"]));
+                let why = match (&design["failure"], design["finished"].as_bool()) {
+                    (Value::String(failure), _) => escape(failure),
+                    (_, Some(false)) => "its run stopped before its end".into(),
+                    _ => return None,
+                };
+                Some(format!("<li><b>{name}</b>: {why}. It is shown as far as it came, and is never the best.</li>\n"))
+            })
+            .collect();
+        if told.is_empty() { told } else { format!("<aside class=\"warnings\"><h2>Mind</h2><ul>{told}</ul></aside>") }
+    }
+
+    fn source(&self) -> String {
+        match self.comparison["reported"].as_str() {
+            Some(source) => format!(
+                "<p>Reported: {}. Beside each number, by how much the design's own lies above or below it.</p>",
+                escape(source)
+            ),
+            None => String::new(),
+        }
+    }
+}
+
+/// A design at the head of the page, with a link to its own report.
+fn card(index: usize, design: &Value) -> String {
+    let (name, title) = (escape(text(&design["name"])), escape(text(&design["title"])));
+    let state = match (design["failure"].is_null(), design["finished"].as_bool()) {
+        (true, Some(true)) => "",
+        (_, Some(false)) => "<span class=\"state stopped\">stopped early</span>",
+        _ => "<span class=\"state stopped\">failed</span>",
+    };
+    let warnings: String = design["warnings"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter(|warning| **warning != design["failure"])
+        .map(|warning| format!("<li>{}</li>", escape(text(warning))))
+        .collect();
+    let warnings = if warnings.is_empty() { warnings } else { format!("<ul>{warnings}</ul>") };
+    let link = format!("{}/{}", percent_encoded(text(&design["folder"])), folder::REPORT);
+    format!(
+        "<li>{}<div><b>{name}</b>{state}<span>{title}</span>{warnings}\
+         <a href=\"{link}\">its own report</a></div></li>\n",
+        swatch(index)
+    )
+}
+
+/// Where a design is replayed.
+fn stage(index: usize, design: &Value) -> String {
+    let name = escape(text(&design["name"]));
+    format!(
+        "<figure class=\"stage\"><figcaption>{}<b>{name}</b></figcaption><div class=\"view\" id=\"view-{index}\" \
+         data-design=\"{index}\" aria-label=\"Replay of {name}\"></div></figure>\n",
+        swatch(index)
+    )
+}
+
+/// A line in a design's colour and dash, as its curves are drawn.
+pub(crate) fn swatch(index: usize) -> String {
+    format!(
+        "<svg class=\"swatch\" viewBox=\"0 0 34 10\" aria-hidden=\"true\"><line x1=\"1\" y1=\"5\" x2=\"33\" y2=\"5\" \
+         style=\"stroke: var(--curve-{index})\" stroke-dasharray=\"{}\"/></svg>",
+        DASHES[index % DASHES.len()]
+    )
+}
+
+/// How the curves of successive designs are broken, as SVG has it; `compare.css` has the same for the keys of figures.
+const DASHES: [&str; 4] = ["none", "9 4", "3 3", "11 3 3 3"];
+
+/// A folder's name as part of an address.
+fn percent_encoded(name: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b'.' | b'~');
+    name.bytes()
+        .map(|byte| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") })
+        .collect()
+}
+
+/// A text of a summary; empty where there is none.
+pub(crate) fn text(value: &Value) -> &str {
+    value.as_str().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_has_no_odd_letters() {
+        assert_eq!(percent_encoded("space_web-2.5"), "space_web-2.5");
+        assert_eq!(percent_encoded("a \"b\"/µ"), "a%20%22b%22%2F%C2%B5");
+    }
+}

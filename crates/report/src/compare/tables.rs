@@ -1,0 +1,209 @@
+//! The tables of a comparison: what differs in the inputs, and what came out, with the best of each row marked.
+
+use serde_json::Value;
+
+use crate::compare::{swatch, text};
+use crate::format::{Scale, duration, escape, percent, significant};
+use crate::tables::grouped;
+
+/// What stands where a design has no such thing.
+const NOTHING: &str = "<td class=\"nothing\">–</td>";
+
+/// The inputs that differ, a row an input.
+pub(crate) fn differences(comparison: &Value) -> String {
+    let rows = elements(&comparison["differences"]);
+    if rows.is_empty() {
+        return "<p>Nothing: the designs have the same inputs.</p>".into();
+    }
+    let body: String = rows
+        .iter()
+        .map(|row| {
+            let cells: String = designs(comparison)
+                .map(|design| match input(&row["values"][design]) {
+                    Some(value) => format!("<td>{}</td>", escape(&value)),
+                    None => "<td class=\"nothing\">absent</td>".into(),
+                })
+                .collect();
+            format!("<tr><th scope=\"row\"><code>{}</code></th>{cells}</tr>\n", escape(text(&row["path"])))
+        })
+        .collect();
+    let heads: String = designs(comparison).enumerate().map(|(index, name)| head(index, name)).collect();
+    table("inputs", &format!("<th scope=\"col\">Input</th>{heads}"), &body)
+}
+
+/// The quantities that a designer looks for first, and all that something is reported of.
+pub(crate) fn headlines(comparison: &Value) -> String {
+    let is_wanted =
+        |row: &&Value| row["headline"] == true || row["reported"].as_object().is_some_and(|r| !r.is_empty());
+    let rows: Vec<&Value> = elements(&comparison["table"]).iter().filter(is_wanted).collect();
+    results(comparison, &rows)
+}
+
+/// All quantities, a table a group.
+pub(crate) fn all_quantities(comparison: &Value) -> String {
+    let rows = elements(&comparison["table"]);
+    rows.chunk_by(|one, other| one["group"] == other["group"])
+        .map(|group| {
+            let rows: Vec<&Value> = group.iter().collect();
+            let title = escape(text(&group[0]["group"]));
+            format!("<details><summary><h3>{title}</h3></summary>\n{}</details>\n", results(comparison, &rows))
+        })
+        .collect()
+}
+
+/// A table of results. A design that anything in the comparison is reported of has a second column for it.
+fn results(comparison: &Value, rows: &[&Value]) -> String {
+    let reported: Vec<bool> = designs(comparison).map(|design| is_reported(rows, design)).collect();
+    let heads: String = designs(comparison)
+        .enumerate()
+        .map(|(index, name)| {
+            let second = if reported[index] { "<th scope=\"col\" class=\"reported\">reported</th>" } else { "" };
+            head(index, name) + second
+        })
+        .collect();
+    let body: String = rows.iter().map(|row| result(comparison, row, &reported)).collect();
+    table("results", &format!("<th scope=\"col\">Quantity</th>{heads}"), &body)
+}
+
+fn is_reported(rows: &[&Value], design: &str) -> bool {
+    rows.iter().any(|row| !row["reported"][design].is_null())
+}
+
+fn result(comparison: &Value, row: &Value, reported: &[bool]) -> String {
+    let display = Display::of(row);
+    let best: Vec<&str> = elements(&row["best"]).iter().map(text).collect();
+    let cells: String = designs(comparison)
+        .zip(reported)
+        .map(|(design, has_reported)| {
+            let own = match display.text(&row["values"][design]) {
+                Some(value) if best.contains(&design) => {
+                    format!(
+                        "<td class=\"best\"><span aria-hidden=\"true\">★ </span>{}<span class=\"said\"> (best)</span></td>",
+                        escape(&value)
+                    )
+                }
+                Some(value) => format!("<td>{}</td>", escape(&value)),
+                None => NOTHING.into(),
+            };
+            let known = display.text(&row["reported"][design]).map_or("<td class=\"reported\"></td>".into(), |value| {
+                let by = row["deviation_percent"][design].as_f64().map(deviation);
+                let by = by.map_or(String::new(), |by| format!("<small>{by}</small>"));
+                format!("<td class=\"reported\">{}{by}</td>", escape(&value))
+            });
+            if *has_reported { own + &known } else { own }
+        })
+        .collect();
+    let wanted = match row["better"].as_str() {
+        Some("lower") => "<span class=\"wanted\" title=\"lower is better\">↓</span>",
+        Some("higher") => "<span class=\"wanted\" title=\"higher is better\">↑</span>",
+        _ => "",
+    };
+    let unit = if display.unit.is_empty() { String::new() } else { format!(", {}", display.unit) };
+    let unsteady = if row["reproducible"] == false { "<small>differs from run to run</small>" } else { "" };
+    format!(
+        "<tr title=\"{}\"><th scope=\"row\">{}<span class=\"unit\">{}</span>{wanted}{unsteady}</th>{cells}</tr>\n",
+        escape(text(&row["quantity"])),
+        escape(text(&row["label"])),
+        escape(&unit)
+    )
+}
+
+/// How the values of a row are written: all in one unit, so that they can be compared at a glance.
+struct Display {
+    unit: String,
+    write: Box<dyn Fn(f64) -> String>,
+}
+
+impl Display {
+    fn of(row: &Value) -> Self {
+        let all = [&row["values"], &row["reported"]].into_iter().flat_map(|values| values.as_object()).flatten();
+        let numbers: Vec<&Value> = all.map(|(_, value)| value).filter(|value| value.is_number()).collect();
+        let largest = numbers.iter().filter_map(|value| value.as_f64()).fold(0.0, |most, v: f64| v.abs().max(most));
+        let quantity = text(&row["quantity"]);
+        let scaled = |factor: f64, unit: &str| Self {
+            unit: unit.to_owned(),
+            write: Box::new(move |value| significant(value * factor)),
+        };
+        let in_cell = |write: fn(f64) -> String| Self { unit: String::new(), write: Box::new(write) };
+        match text(&row["unit"]) {
+            "s" if quantity == "wall_time_s" || largest < 1e-3 => in_cell(duration),
+            "s" => Self { unit: "s".into(), write: Box::new(|value| format!("{value:.3}")) },
+            unit @ ("N" | "J") => {
+                let scale = Scale::fitting(largest, unit);
+                scaled(1.0 / scale.divisor, &scale.unit)
+            }
+            "rad" => scaled(180.0 / std::f64::consts::PI, "°"),
+            "" if quantity.starts_with("energy.closure") => in_cell(percent),
+            "" if numbers.iter().all(|value| value.is_u64()) => in_cell(|value| grouped(value as u64)),
+            unit => scaled(1.0, &unit.replace("^2", "²")),
+        }
+    }
+
+    fn text(&self, value: &Value) -> Option<String> {
+        match value {
+            Value::Number(number) => number.as_f64().map(&self.write),
+            Value::String(text) => Some(text.clone()),
+            Value::Bool(yes) => Some(if *yes { "yes".into() } else { "no".into() }),
+            _ => None,
+        }
+    }
+}
+
+/// By how much a design lies above or below a reported number.
+fn deviation(percent: f64) -> String {
+    match percent {
+        near if near.abs() < 0.05 => "±0 %".into(),
+        far if far.abs() >= 10.0 => format!("{far:+.0} %"),
+        other => format!("{other:+.1} %"),
+    }
+}
+
+/// A quantity in the unit of the trade: a resolved scenario has `90000000000 Pa` and `1.5707963267948966 rad`.
+fn readable(text: &str) -> String {
+    let in_unit = |factor: f64, unit: &str| {
+        let number: f64 = text.split_once(' ')?.0.parse().ok()?;
+        // twelve digits: a turn of rounding is not an input
+        let number: f64 = format!("{:.11e}", number * factor).parse().ok()?;
+        Some(format!("{number} {unit}"))
+    };
+    let read = match text.rsplit_once(' ') {
+        Some((digits, "Pa")) if digits.len() > 8 => in_unit(1e-9, "GPa"),
+        Some((digits, "Pa")) if digits.len() > 5 => in_unit(1e-6, "MPa"),
+        Some((_, "rad")) => in_unit(180.0 / std::f64::consts::PI, "deg"),
+        _ => None,
+    };
+    read.unwrap_or_else(|| text.replace("^2", "²").replace("^3", "³"))
+}
+
+/// An input as a person reads it.
+fn input(value: &Value) -> Option<String> {
+    match value {
+        Value::Null => None,
+        Value::String(text) => Some(readable(text)),
+        // an empty table: a variant without keys of its own
+        Value::Object(_) => Some("as by default".into()),
+        Value::Array(elements) => Some(elements.iter().filter_map(input).collect::<Vec<_>>().join(", ")),
+        other => Some(other.to_string()),
+    }
+}
+
+fn designs(comparison: &Value) -> impl Iterator<Item = &str> {
+    elements(&comparison["designs"]).iter().map(|design| text(&design["name"]))
+}
+
+fn elements(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn head(index: usize, name: &str) -> String {
+    // a long name may be broken at its joints
+    let name = escape(name).replace('_', "_<wbr>").replace('-', "-<wbr>");
+    format!("<th scope=\"col\">{}{name}</th>", swatch(index))
+}
+
+fn table(class: &str, heads: &str, body: &str) -> String {
+    format!(
+        "<div class=\"side-by-side\" tabindex=\"0\"><table class=\"{class}\">\n<thead><tr>{heads}</tr></thead>\n\
+         <tbody>\n{body}</tbody></table></div>\n"
+    )
+}

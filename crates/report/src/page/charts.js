@@ -1,0 +1,249 @@
+// Figures over time in the colours of the reader's theme: their time axes together, a cursor that follows a clock.
+
+/**
+ * The figures of the page, each an element with a `.plot` of its identity within `.chart`, and a `.key` beside that.
+ *
+ * `show()` draws them, `setTime(s)` moves the cursors, `onSeek(callback)` tells when a reader asks for a time.
+ */
+class Charts {
+  static CURVES = 8;
+
+  constructor(figures) {
+    this.charts = figures.map((figure) => {
+      const plot = document.getElementById(figure.id);
+      const cursor = plot.parentElement.appendChild(document.createElement("div"));
+      cursor.className = "cursor";
+      const key = plot.closest("figure").querySelector(".key");
+      return { figure, plot, cursor, key, hidden: new Set(), drawn: false };
+    });
+    this.time = null;
+    this.seekers = [];
+    this.following = false;
+  }
+
+  /** Draws the figures one after the other, so that the page answers in between. */
+  async show() {
+    const pause = () => new Promise((resume) => setTimeout(resume));
+    // reading the library takes longest of all: by now the page can be read
+    await pause();
+    const library = document.createElement("script");
+    library.textContent = document.getElementById("library").textContent;
+    document.head.append(library);
+    for (const chart of this.charts) {
+      this.makeKey(chart);
+      this.draw(chart);
+      this.connect(chart);
+      await pause();
+    }
+  }
+
+  /** Draws all of them anew, in the colours that hold now. */
+  redraw() {
+    this.charts.filter(({ drawn }) => drawn).forEach((chart) => this.draw(chart));
+  }
+
+  /** Draws anew when the reader's theme changes, and in ink on white, with all that is folded up opened, for paper. */
+  followReader() {
+    const { classList } = document.documentElement;
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
+    addEventListener("beforeprint", () => {
+      classList.add("paper");
+      document.querySelectorAll("details").forEach((details) => { details.open = true; });
+      this.redraw();
+    });
+    addEventListener("afterprint", () => { classList.remove("paper"); this.redraw(); });
+  }
+
+  onSeek(callback) {
+    this.seekers.push(callback);
+  }
+
+  /** The time at which all cursors stand, s. */
+  setTime(time) {
+    this.time = time;
+    this.charts.filter(({ visible }) => visible).forEach((chart) => this.place(chart));
+    // what is out of sight follows once the clock rests
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.charts.filter(({ drawn }) => drawn).forEach((chart) => this.place(chart)), 200);
+  }
+
+  draw(chart) {
+    const colours = this.palette();
+    const traces = chart.figure.curves.map((curve, place) => this.trace(chart, curve, place, colours));
+    Plotly.react(chart.plot, traces, this.layout(chart.figure, colours), this.config(chart.figure));
+    chart.drawn = true;
+  }
+
+  /** The page's own colours, so that page.css alone decides on them. */
+  palette() {
+    const style = getComputedStyle(document.documentElement);
+    const colour = (name) => style.getPropertyValue(`--${name}`).trim();
+    return {
+      ink: colour("ink"), soft: colour("soft"), grid: colour("grid"), rule: colour("rule"), card: colour("card"),
+      shade: colour("shade"), accent: colour("accent"),
+      curves: Array.from({ length: Charts.CURVES }, (_, place) => colour(`curve-${place}`)),
+    };
+  }
+
+  trace({ figure, hidden }, curve, place, colours) {
+    const line = {
+      solid: { dash: "solid", width: 1.8 }, dash: { dash: "6px,4px", width: 1.4 },
+      companion: { dash: "2px,2px", width: 1.3 },
+    };
+    const reference = curve.colour === null;
+    // past the palette's end colours come again, with another dash
+    const again = !reference && curve.colour >= Charts.CURVES && curve.style === "solid";
+    return {
+      type: "scatter", mode: "lines", name: curve.name, x: curve.x, y: curve.y, visible: !hidden.has(place),
+      line: {
+        ...line[curve.style], ...(again ? { dash: "8px,2px,2px,2px" } : {}),
+        color: reference ? colours.soft : colours.curves[curve.colour % Charts.CURVES],
+      },
+      ...(reference ? { hoverinfo: "skip" } : { hovertemplate: `%{y:.4~g} ${figure.unit}` }),
+    };
+  }
+
+  layout(figure, colours) {
+    const axis = {
+      gridcolor: colours.grid, linecolor: colours.rule, zerolinecolor: colours.rule, tickcolor: colours.rule,
+      ticks: "outside", ticklen: 4, automargin: true, tickfont: { size: 12 },
+    };
+    const shapes = figure.shaded === null ? [] : [{
+      type: "rect", xref: "x", yref: "paper", x0: figure.shaded[0], x1: figure.shaded[1], y0: 0, y1: 1,
+      fillcolor: colours.shade, line: { width: 0 }, layer: "below",
+    }];
+    return {
+      paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
+      font: { family: getComputedStyle(document.body).fontFamily, size: 12.5, color: colours.ink },
+      margin: { l: 56, r: 12, t: 28, b: 40 },
+      xaxis: { ...axis, title: { text: "time, s", standoff: 8 }, hoverformat: ".4~f",
+        unifiedhovertitle: { text: "%{x} s" }, showspikes: true, spikemode: "across", spikethickness: 1, spikedash: "solid", spikecolor: colours.soft },
+      yaxis: { ...axis, title: { text: figure.yTitle, standoff: 8 }, rangemode: "tozero" },
+      // a drag moves the cursor; the toolbar has zoom and pan
+      hovermode: "x unified", dragmode: false, showlegend: false,
+      hoverlabel: { bgcolor: colours.card, bordercolor: colours.rule, font: { color: colours.ink, size: 12 } },
+      modebar: { bgcolor: "rgba(0,0,0,0)", color: colours.soft, activecolor: colours.accent },
+      shapes, uirevision: "kept",
+    };
+  }
+
+  config(figure) {
+    return {
+      responsive: true, displaylogo: false,
+      modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d", "zoomIn2d", "zoomOut2d"],
+      toImageButtonOptions: { format: "svg", filename: figure.id },
+    };
+  }
+
+  /** The names of the curves and, beside each, its value at the cursor; a press hides the curve or brings it back. */
+  makeKey(chart) {
+    const { figure, plot, key, hidden } = chart;
+    chart.values = [];
+    const sizes = figure.curves.flatMap(({ y }) => y).map((value) => Math.abs(value ?? 0));
+    const largest = sizes.reduce((most, size) => Math.max(most, size), 0);
+    // what no eye could tell from nothing in the figure is nothing beside it
+    chart.digits = (value) => String(Math.abs(value) < 1e-5 * largest ? 0 : Number(value.toPrecision(3)));
+    figure.curves.forEach((curve, place) => {
+      // a companion comes and goes with the line before it
+      if (curve.style === "companion") return;
+      const companion = figure.curves[place + 1]?.style === "companion" ? place + 1 : null;
+      const places = companion === null ? [place] : [place, companion];
+      const entry = key.appendChild(document.createElement("button"));
+      entry.type = "button";
+      entry.setAttribute("aria-pressed", "true");
+      entry.className = curve.style;
+      const colour = curve.colour === null ? "soft" : `curve-${curve.colour % Charts.CURVES}`;
+      entry.style.setProperty("--colour", `var(--${colour})`);
+      entry.append(curve.name);
+      const value = entry.appendChild(document.createElement("output"));
+      if (curve.colour !== null) chart.values.push({ curve, companion: figure.curves[companion], value });
+      entry.addEventListener("click", () => {
+        const shown = hidden.has(place);
+        for (const one of places) shown ? hidden.delete(one) : hidden.add(one);
+        entry.setAttribute("aria-pressed", shown);
+        Plotly.restyle(plot, { visible: shown }, places);
+      });
+    });
+  }
+
+  connect(chart) {
+    const { plot } = chart;
+    plot.on("plotly_afterplot", () => this.place(chart));
+    plot.on("plotly_relayout", (change) => this.keepTogether(chart, change));
+    new IntersectionObserver(([entry]) => {
+      chart.visible = entry.isIntersecting;
+      if (chart.visible) this.place(chart);
+    }, { rootMargin: "10%" }).observe(plot);
+
+    let pressed = null;
+    const seek = (event) => {
+      const axis = plot._fullLayout.xaxis;
+      const x = event.clientX - plot.getBoundingClientRect().left - axis._offset;
+      const time = Charts.recorded(chart.figure, axis.p2l(x));
+      for (const callback of this.seekers) callback(time);
+    };
+    plot.addEventListener("pointerdown", (event) => {
+      const { xaxis, yaxis, dragmode } = plot._fullLayout;
+      const box = plot.getBoundingClientRect();
+      const [x, y] = [event.clientX - box.left - xaxis._offset, event.clientY - box.top - yaxis._offset];
+      if (event.button !== 0 || x < 0 || x > xaxis._length || y < 0 || y > yaxis._length) return;
+      pressed = { x: event.clientX, y: event.clientY, drags: !dragmode };
+      if (pressed.drags) {
+        plot.setPointerCapture(event.pointerId);
+        seek(event);
+      }
+    }, true);
+    plot.addEventListener("pointermove", (event) => { if (pressed?.drags) seek(event); });
+    plot.addEventListener("pointerup", (event) => {
+      const still = pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < 4;
+      if (still && !pressed.drags) seek(event);
+      pressed = null;
+    });
+    plot.addEventListener("pointercancel", () => { pressed = null; });
+  }
+
+  /** A stretch of time chosen in one figure is shown in all. */
+  async keepTogether(chart, change) {
+    const from = change["xaxis.range[0]"];
+    const range = from !== undefined ? { "xaxis.range": [from, change["xaxis.range[1]"]] }
+      : change["xaxis.autorange"] ? { "xaxis.autorange": true } : null;
+    if (range === null || this.following) return;
+    this.following = true;
+    const others = this.charts.filter((other) => other !== chart && other.drawn);
+    await Promise.all(others.map(({ plot }) => Plotly.relayout(plot, range)));
+    this.following = false;
+  }
+
+  /** Moves a figure's cursor and says what its curves are there. Nothing is laid out anew. */
+  place({ figure, plot, cursor, values, digits }) {
+    const { xaxis, yaxis } = plot._fullLayout;
+    const x = this.time === null ? -1 : xaxis.l2p(this.time);
+    cursor.hidden = !(x >= -0.5 && x <= xaxis._length + 0.5);
+    if (this.time === null) return;
+    cursor.style.transform = `translate(${(xaxis._offset + x).toFixed(2)}px, ${yaxis._offset}px)`;
+    cursor.style.height = `${yaxis._length}px`;
+    for (const { curve, companion, value } of values) {
+      const own = Charts.valueAt(curve, this.time), other = companion && Charts.valueAt(companion, this.time);
+      const text = own === null ? "" : `${digits(own)}${other == null ? "" : ` (${digits(other)})`} ${figure.unit}`;
+      if (value.textContent !== text) value.textContent = text;
+    }
+  }
+
+  /** The time nearest to this one of which a figure has a record. */
+  static recorded({ curves }, time) {
+    const { x } = curves.find(({ colour }) => colour !== null) ?? curves[0];
+    return x.reduce((nearest, one) => Math.abs(one - time) < Math.abs(nearest - time) ? one : nearest, x[0] ?? time);
+  }
+
+  /** A curve's value at a time, between its points; null where it has none. */
+  static valueAt({ x, y }, time) {
+    if (x.length === 0 || time < x[0] || time > x[x.length - 1]) return null;
+    let from = 0, to = x.length - 1;
+    while (to - from > 1) {
+      const middle = (from + to) >> 1;
+      if (x[middle] <= time) from = middle; else to = middle;
+    }
+    if (y[from] === null || y[to] === null || from === to) return y[from];
+    return y[from] + (y[to] - y[from]) * (time - x[from]) / (x[to] - x[from]);
+  }
+}

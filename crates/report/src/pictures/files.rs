@@ -1,0 +1,106 @@
+//! The folder of pictures, written aside and swapped in when it is complete.
+
+use std::path::{Path, PathBuf};
+use std::{fs, io, process};
+
+use netcast_results::folder;
+
+use super::{animation, curves, raster, sheets};
+use crate::ReportError;
+use crate::figures::figures;
+use crate::results::Results;
+
+/// Pixels of a PNG for each of its SVG: sharp in print.
+const ZOOM: f32 = 2.0;
+
+/// Writes the pictures of a result folder into its folder `pictures`, in place of those there, and returns their paths:
+/// `postures`, `clouds` (of tension), `stowed` and each curve as SVG and PNG, and `animation.gif`. The same result
+/// gives the same bytes.
+///
+/// # Errors
+/// [`ReportError`] names the file that is missing, malformed or cannot be written; [`ReportError::NoFields`] where the
+/// result does not hold where everything was. Pictures that were there before stay then.
+pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let results = Results::read(result_dir)?;
+    let scene = results.scene.as_ref().ok_or_else(|| no_fields(result_dir))?;
+    let title =
+        results.summary["title"].as_str().filter(|title| !title.trim().is_empty()).unwrap_or("Untitled scenario");
+
+    let aside = Aside::create(result_dir)?;
+    let mut names = Vec::new();
+    let mut write = |name: String, bytes: &[u8]| {
+        let path = aside.path.join(&name);
+        names.push(name);
+        fs::write(&path, bytes).map_err(|source| ReportError::Write { path, source })
+    };
+    let sheets = [
+        ("postures", sheets::postures(&results, scene).svg(title)),
+        ("clouds", sheets::clouds(&results, scene).svg(title)),
+        ("stowed", sheets::stowed(scene).svg(title)),
+    ];
+    let figures = figures(&results);
+    let curves = figures.iter().map(|figure| (format!("curve_{}", figure.id), curves::svg(figure)));
+    for (name, svg) in sheets.map(|(name, svg)| (name.to_owned(), svg)).into_iter().chain(curves) {
+        write(format!("{name}.svg"), svg.as_bytes())?;
+        write(format!("{name}.png"), &raster::png(&svg, ZOOM))?;
+    }
+    write("animation.gif".into(), &animation::gif(scene, title))?;
+    aside.swap_in()?;
+    let pictures = result_dir.join(folder::PICTURES);
+    Ok(names.into_iter().map(|name| pictures.join(name)).collect())
+}
+
+fn no_fields(result_dir: &Path) -> ReportError {
+    let missing = match [folder::FIELDS, folder::LANDMARKS].map(|name| result_dir.join(name).exists()) {
+        [false, _] => "fields.vtkhdf is missing",
+        [_, false] => "landmarks.json is missing",
+        [true, true] => "fields.vtkhdf holds no frame",
+    };
+    ReportError::NoFields { folder: result_dir.to_path_buf(), missing }
+}
+
+/// A hidden folder beside the pictures. Dropped before it is swapped in, it leaves nothing behind.
+struct Aside {
+    path: PathBuf,
+    target: PathBuf,
+}
+
+impl Aside {
+    fn create(result_dir: &Path) -> Result<Self, ReportError> {
+        let beside = |role: &str| result_dir.join(format!(".{}.{role}-{}", folder::PICTURES, process::id()));
+        let aside = Self { path: beside("new"), target: result_dir.join(folder::PICTURES) };
+        let made = remove(&aside.path).and_then(|()| fs::create_dir(&aside.path));
+        made.map_err(|source| ReportError::Write { path: aside.path.clone(), source })?;
+        Ok(aside)
+    }
+
+    fn swap_in(self) -> Result<(), ReportError> {
+        let old = self.path.with_extension(format!("old-{}", process::id()));
+        let swapped = match fs::rename(&self.target, &old) {
+            Ok(()) => fs::rename(&self.path, &self.target).or_else(|error| {
+                // the old pictures go back; should that fail too, they are still whole, beside their place
+                fs::rename(&old, &self.target)?;
+                Err(error)
+            }),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => fs::rename(&self.path, &self.target),
+            Err(error) => Err(error),
+        };
+        let done = swapped.and_then(|()| remove(&old));
+        done.map_err(|source| ReportError::Write { path: self.target.clone(), source })
+    }
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        // after the swap there is nothing here; a destructor has nobody to tell of a failure
+        let _ = fs::remove_dir_all(&self.path);
+    }
+}
+
+/// Removes a folder, or does nothing where there is none.
+fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_dir_all(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,29 @@
+//! Pictures of a net without a browser.
+//!
+//! ```text
+//!  Scene ─▶ strands  ropes as few polylines ─┐
+//!           camera   where one looks from    ├─▶ net_picture ─▶ sheet ─▶ SVG in the page, SVG file
+//!           colour   tension in twelve bins ─┘                    │            │
+//!  summary ─▶ moments which frames ────────────────▶ sheets ──────┘         raster ─▶ PNG
+//!  history ─▶ curves ─▶ SVG file ──────────────────────────────────────┘   └─▶ animation ─▶ GIF
+//! ```
+//!
+//! `files` writes them all.
+
+mod animation;
+mod camera;
+mod colour;
+mod curves;
+mod files;
+mod moments;
+mod net_picture;
+mod raster;
+mod series;
+mod sheet;
+mod sheets;
+mod strands;
+mod theme;
+
+pub use files::write_pictures;
+pub(crate) use sheets::{clouds_html, postures_html, stowed_html};
+pub(crate) use theme::page_style;

@@ -1,0 +1,128 @@
+//! The three sheets of a result: postures at eight moments, tensions at six, the stowed state from two sides.
+
+use super::camera::{Camera, View};
+use super::colour::TensionScale;
+use super::moments::{self, Moment, highest_tension};
+use super::net_picture::{extent, open_share};
+use super::sheet::{Cell, Sheet};
+use crate::format::{percent, significant, time, with_prefix};
+use crate::results::{Results, Scene};
+
+const POSTURES: usize = 8;
+const CLOUDS: usize = 6;
+
+const THREE_QUARTER: &str = "Seen from the side and 23° above, launch axis up; one scale for all.";
+
+/// The web's posture at eight moments.
+pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
+    let moments = moments::postures(results, scene, POSTURES);
+    let shaded = "Per cent: area of the outline over that of the flat web; shaded from 80 % on. Middle at: its travel since launch.";
+    let has_outline = !scene.landmarks.outline.is_empty();
+    let cells = moments
+        .iter()
+        .map(|moment| cell(moment, [moment_time(scene, moment), share(scene, moment), travel(scene, moment)]));
+    Sheet {
+        scene,
+        cells: cells.collect(),
+        columns: 4,
+        width: 300.0,
+        class: "postures",
+        scale: scale(scene, &moments),
+        has_key: true,
+        notes: [THREE_QUARTER].into_iter().chain(has_outline.then_some(shaded)).map(str::to_owned).collect(),
+    }
+}
+
+/// What the ropes bear at six moments.
+pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
+    let moments = moments::tensions(results, scene, CLOUDS);
+    let up_to = |moment: &Moment| Some(format!("up to {}", with_prefix(highest_tension(scene, moment.frame), "N")));
+    let cells = moments.iter().map(|moment| cell(moment, [moment_time(scene, moment), up_to(moment)]));
+    Sheet {
+        scene,
+        cells: cells.collect(),
+        columns: 3,
+        width: 400.0,
+        class: "wide clouds",
+        scale: scale(scene, &moments),
+        has_key: true,
+        notes: [THREE_QUARTER.to_owned()].into_iter().chain(missed_peak(results, scene)).collect(),
+    }
+}
+
+/// The state at the start, from two sides.
+pub(crate) fn stowed(scene: &Scene) -> Sheet<'_> {
+    let cell = |view: View, name: &str, across: &str, along: &str| {
+        let (least, most) = extent(scene, 0, &Camera::new(view, scene.landmarks.axis));
+        let size = most - least;
+        let caption = format!("{} m {across}, {} m {along}", significant(size.x), significant(size.y));
+        Cell { frame: 0, view, name: name.into(), caption }
+    };
+    Sheet {
+        scene,
+        cells: vec![
+            cell(View::Side, "from the side, launch axis up", "wide", "along the axis"),
+            cell(View::Ahead, "from ahead, back along the launch axis", "wide", "high"),
+        ],
+        columns: 2,
+        width: 440.0,
+        class: "wide pair stowed",
+        scale: TensionScale::up_to(highest_tension(scene, 0)),
+        has_key: highest_tension(scene, 0) > 0.0,
+        notes: vec!["Both to one scale. Sizes are those of all that is stowed, tractors and payloads with it.".into()],
+    }
+}
+
+/// The postures as figures of the page; empty where the result has no fields.
+pub(crate) fn postures_html(results: &Results) -> String {
+    results.scene.as_ref().map(|scene| postures(results, scene).html()).unwrap_or_default()
+}
+
+/// The tensions as figures of the page; empty where the result has no fields.
+pub(crate) fn clouds_html(results: &Results) -> String {
+    results.scene.as_ref().map(|scene| clouds(results, scene).html()).unwrap_or_default()
+}
+
+/// The stowed state as figures of the page; empty where the result has no fields.
+pub(crate) fn stowed_html(results: &Results) -> String {
+    results.scene.as_ref().map(|scene| stowed(scene).html()).unwrap_or_default()
+}
+
+fn cell<const N: usize>(moment: &Moment, facts: [Option<String>; N]) -> Cell {
+    // a fact is not broken over two lines
+    let facts = facts.into_iter().flatten().map(|fact| fact.replace(' ', "\u{a0}"));
+    let caption = facts.collect::<Vec<String>>().join(" · ");
+    Cell { frame: moment.frame, view: View::ThreeQuarter, name: moment.name.into(), caption }
+}
+
+fn moment_time(scene: &Scene, moment: &Moment) -> Option<String> {
+    Some(time(scene.fields.times[moment.frame]))
+}
+
+fn share(scene: &Scene, moment: &Moment) -> Option<String> {
+    open_share(scene, moment.frame).map(|share| format!("{} of flat", percent(share)))
+}
+
+fn travel(scene: &Scene, moment: &Moment) -> Option<String> {
+    let centre = &scene.landmarks.centre;
+    let along = |frame: usize| scene.mean(frame, centre).dot(scene.landmarks.axis);
+    (!centre.is_empty()).then(|| format!("middle at {:.2} m", along(moment.frame) - along(0)))
+}
+
+fn scale(scene: &Scene, moments: &[Moment]) -> TensionScale {
+    TensionScale::up_to(moments.iter().map(|moment| highest_tension(scene, moment.frame)).fold(0.0, f64::max))
+}
+
+/// Where the highest tension of the run fell between two frames, and so is in no picture.
+fn missed_peak(results: &Results, scene: &Scene) -> Option<String> {
+    let tension = &results.summary["tension"];
+    let (highest, at) = (tension["max_n"].as_f64()?, tension["max_time_s"].as_f64()?);
+    let shown = (0..scene.frames()).map(|frame| highest_tension(scene, frame)).fold(0.0, f64::max);
+    let class = tension["max_where"].as_str()?;
+    (highest > 1.01 * shown).then(|| {
+        let highest = with_prefix(highest, "N");
+        format!(
+            "The highest tension of all, {highest} in a rope of class {class}, fell between two frames, at {at:.4} s."
+        )
+    })
+}

@@ -1,0 +1,154 @@
+// A packed run back into numbers; the layout is told in pack.rs. Nothing here holds the page up for long.
+
+/** Width of the textures that positions and tensions are kept in. */
+const ROW = 1024;
+
+/** Lets the page draw and answer, where it has been kept waiting. */
+function breather() {
+  let since = performance.now();
+  return async () => {
+    if (performance.now() - since < 12) return;
+    await new Promise((resume) => setTimeout(resume));
+    since = performance.now();
+  };
+}
+
+/** The bytes of base64 text, inflated by the browser. */
+async function inflate(text) {
+  const pause = breather();
+  const { readable, writable } = new DecompressionStream("deflate");
+  const inflated = new Response(readable).arrayBuffer();
+  const writer = writable.getWriter();
+  const PIECE = 1 << 18;
+  const write = async () => {
+    for (let at = 0; at < text.length; at += PIECE) {
+      const letters = atob(text.slice(at, at + PIECE));
+      const bytes = new Uint8Array(letters.length);
+      for (let place = 0; place < letters.length; place++) bytes[place] = letters.charCodeAt(place);
+      await writer.write(bytes);
+      await pause();
+    }
+    await writer.close();
+  };
+  const [buffer] = await Promise.all([inflated, write()]);
+  return buffer;
+}
+
+/**
+ * The run that an element holds, as a promise.
+ *
+ * `positions[frame]` are steps on a grid, three a node, in whole rows of a texture; `tensions[frame]` codes, one a
+ * segment.
+ */
+async function decode(element) {
+  const buffer = await inflate(element.textContent.trim());
+  const length = new DataView(buffer).getUint32(0, true);
+  const told = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+  const { frames, nodes, segments } = told;
+  let at = 4 + length;
+  const take = (count) => new Uint8Array(buffer, (at += count) - count, count);
+
+  const data = {
+    frames,
+    nodes,
+    segments,
+    times: told.times_s,
+    duration: told.times_s[frames - 1],
+    origin: told.origin_m,
+    step: told.step_m,
+    axis: told.axis,
+    tension: { max: told.tension_max_n, decades: told.tension_decades, linearTop: told.tension_linear_top_n },
+    classes: told.classes,
+    areas: told.areas_m2,
+    referenceArea: told.reference_area_m2,
+    outline: told.outline,
+    tractors: told.tractors,
+    points: told.points,
+    canopies: told.canopies,
+    bodies: told.bodies,
+    ends: new Uint32Array(buffer.slice(at, at + 8 * segments)),
+    positions: [],
+    tensions: [],
+  };
+  at += 8 * segments;
+  data.classOf = take(segments);
+  const [low, high] = [take(3 * nodes * frames), take(3 * nodes * frames)];
+
+  const pause = breather();
+  const rows = Math.max(1, Math.ceil(nodes / ROW));
+  let last = null,
+    before = null;
+  for (let frame = 0, code = 0; frame < frames; frame++) {
+    const places = new Uint16Array(3 * ROW * rows);
+    for (let axis = 0; axis < 3; axis++) {
+      for (let place = axis; place < 3 * nodes; place += 3, code++) {
+        const folded = low[code] | (high[code] << 8);
+        const expected = last === null ? 0 : before === null ? last[place] : 2 * last[place] - before[place];
+        places[place] = expected + ((folded >>> 1) ^ -(folded & 1));
+      }
+    }
+    data.positions.push(places);
+    [before, last] = [last, places];
+    await pause();
+  }
+  const tensionRows = Math.max(1, Math.ceil(segments / ROW));
+  for (let frame = 0; frame < frames; frame++) {
+    const codes = new Uint8Array(ROW * tensionRows);
+    codes.set(take(segments));
+    data.tensions.push(codes);
+  }
+  await survey(data, pause);
+  return data;
+}
+
+/** Adds what the camera needs: the middle of web and tractors in each frame; how far the net reaches about it, m. */
+async function survey(data, pause) {
+  const { frames, nodes, origin, step } = data;
+  data.middles = new Float64Array(3 * frames);
+  data.tractorMiddles = new Float64Array(3 * frames);
+  data.across = data.up = 0;
+  data.travel = [0, 0];
+  const tractors = data.tractors.length > 0 ? data.tractors : Array.from({ length: nodes }, (_, node) => node);
+  for (let frame = 0; frame < frames; frame++) {
+    const places = data.positions[frame];
+    const low = [65535, 65535, 65535],
+      high = [0, 0, 0];
+    for (let place = 0; place < 3 * nodes; place++) {
+      const axis = place % 3,
+        value = places[place];
+      if (value < low[axis]) low[axis] = value;
+      if (value > high[axis]) high[axis] = value;
+    }
+    let along = 0;
+    const middle = low.map((value, axis) => (value + high[axis]) / 2);
+    for (let axis = 0; axis < 3; axis++) {
+      data.middles[3 * frame + axis] = origin[axis] + step * middle[axis];
+      let sum = 0;
+      for (const node of tractors) sum += places[3 * node + axis];
+      data.tractorMiddles[3 * frame + axis] = origin[axis] + (step * sum) / tractors.length;
+      along += data.middles[3 * frame + axis] * data.axis[axis];
+    }
+    for (let place = 0; place < 3 * nodes; place += 3) {
+      const [x, y, z] = [places[place] - middle[0], places[place + 1] - middle[1], places[place + 2] - middle[2]];
+      data.across = Math.max(data.across, step * Math.sqrt(x * x + y * y));
+      data.up = Math.max(data.up, step * Math.abs(z));
+    }
+    data.travel = [Math.min(data.travel[0], along), Math.max(data.travel[1], along)];
+    await pause();
+  }
+  data.reach = Math.hypot(data.across, data.up) || 1;
+}
+
+/** The frame before a time and the share of the way to the next. */
+function frameAt(data, time) {
+  let from = 0,
+    to = data.frames - 1;
+  while (to - from > 1) {
+    const middle = (from + to) >> 1;
+    if (data.times[middle] <= time) from = middle;
+    else to = middle;
+  }
+  if (data.frames === 1) return { frame: 0, next: 0, between: 0 };
+  const share = (time - data.times[from]) / (data.times[to] - data.times[from]);
+  return { frame: from, next: to, between: Math.min(1, Math.max(0, share)) };
+}

@@ -1,0 +1,72 @@
+// The names over a view: feature points, tractors, metres along the launch axis.
+
+class Labels {
+  /** Labels of a view in its host, in the order of their importance: where two would overlap, the earlier is shown. */
+  constructor(view, host) {
+    this.axis = view.data.axis;
+    this.overlay = host.appendChild(document.createElement("div"));
+    this.overlay.className = "replay-labels";
+    this.overlay.setAttribute("aria-hidden", "true");
+    const { points, tractors, axis } = view.data;
+    const middle = (nodes) => scaled(nodes.map((node) => view.place(node)).reduce(add), 1 / nodes.length);
+    const metres = (mark) => `${Number(mark.toPrecision(3))} m`.replace("-", "−");
+    this.labels = [
+      ...points.map(({ name, nodes }) => this.label(name, "point", `feature point ${name}`, () => middle(nodes))),
+      ...tractors.map((node, place) =>
+        this.label(`T${place + 1}`, "tractor", `tractor ${place + 1}`, () => view.place(node)),
+      ),
+      ...view.marks.map((mark) => this.label(metres(mark), "mark", "along the launch axis", () => scaled(axis, mark))),
+    ];
+  }
+
+  label(text, kind, title, at) {
+    const element = this.overlay.appendChild(document.createElement("span"));
+    element.className = `replay-label ${kind}`;
+    element.title = title;
+    const name = element.appendChild(document.createElement("span"));
+    name.textContent = text;
+    return { element, name, at, kind, size: null };
+  }
+
+  /** Puts each label beside its place, on the first side that is free; points keep their dot where none is. */
+  place(m, width, height, look) {
+    const taken = [];
+    // marks that lie one behind the other tell nothing
+    const endOn = Math.abs(dot(look.camera.frame.back, this.axis)) > 0.97;
+    for (const label of this.labels) {
+      const { element, name, kind } = label;
+      const [x, y, z] = label.at();
+      const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+      const left = (0.5 + (0.5 * (m[0] * x + m[4] * y + m[8] * z + m[12])) / w) * width;
+      const top = (0.5 - (0.5 * (m[1] * x + m[5] * y + m[9] * z + m[13])) / w) * height;
+      label.size ??= [name.offsetWidth, name.offsetHeight];
+      const [wide, high] = label.size;
+      const GAP = 6;
+      const sides = [
+        [GAP, -high - 2],
+        [GAP, 2],
+        [-GAP - wide, -high - 2],
+        [-GAP - wide, 2],
+      ];
+      const side = sides.find(([dx, dy]) => {
+        const [l, t] = [left + dx, top + dy];
+        return (
+          l > 0 &&
+          t > 0 &&
+          l + wide < width &&
+          t + high < height &&
+          taken.every(([tl, tt, tr, tb]) => l > tr || l + wide < tl || t > tb || t + high < tt)
+        );
+      });
+      const seen =
+        look.labels && !(endOn && kind === "mark") && w > 0 && left > 0 && left < width && top > 0 && top < height;
+      element.style.visibility = seen && (side || kind === "point") ? "visible" : "hidden";
+      name.style.visibility = seen && side ? "visible" : "hidden";
+      if (!seen) continue;
+      element.style.transform = `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px)`;
+      if (!side) continue;
+      name.style.transform = `translate(${side[0]}px, ${side[1]}px)`;
+      taken.push([left + side[0], top + side[1], left + side[0] + wide, top + side[1] + high]);
+    }
+  }
+}

@@ -1,0 +1,246 @@
+//! A run as few bytes: whole numbers on a grid, differences in time, deflate.
+//!
+//! ```text
+//!  u32          length of the JSON, little endian, as all that follows
+//!  JSON         times, meanings, scales; padded with spaces to a multiple of four
+//!  u32 * 2 s    ends of the segments, then u8 * s their link classes
+//!  u8 * 3 n f   positions, low bytes [frame][axis][node], then as many high bytes
+//!  u8 * s f     tensions [frame][segment]
+//! ```
+//!
+//! A position is a 16 bit number of steps in the cube that the run fills; what is kept is how far it lies from where
+//! its last two frames would have led it, modulo 2^16 and with the sign in the lowest bit. A tension is a place on a
+//! logarithmic scale: 0 is slack, 255 the largest of the run, 1 and less than a hundred-thousandth of it the same.
+
+use std::io::Write;
+
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use glam::DVec3;
+use serde_json::{Value, json};
+
+use super::thin::Drawn;
+use crate::results::Scene;
+
+/// Orders of magnitude between the codes 1 and 255 of a tension.
+const TENSION_DECADES: f64 = 5.0;
+
+/// The share of taut segments that the end of the linear tension scale leaves below it.
+const LINEAR_SCALE_SHARE: f64 = 0.995;
+
+/// How much of a run is kept: every n-th frame, every n-th node inside a rope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sampling {
+    /// Stride of the frames.
+    pub frames: usize,
+    /// Stride of the nodes inside a rope.
+    pub nodes: usize,
+}
+
+/// The run, deflated, with every `stride`-th frame.
+pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize) -> Vec<u8> {
+    let frames = kept_frames(scene, stride);
+    let grid = Grid::around(scene, drawn, &frames);
+    let tensions = Tensions::of(scene, drawn, &frames);
+    let mut deflated = ZlibEncoder::new(Vec::new(), Compression::default());
+    let mut put = |bytes: &[u8]| deflated.write_all(bytes).expect("memory takes what it is given");
+
+    let mut meanings = meanings(scene, drawn, &frames, &grid, &tensions).to_string();
+    meanings.push_str(&" ".repeat(meanings.len().next_multiple_of(4) - meanings.len()));
+    put(&(meanings.len() as u32).to_le_bytes());
+    put(meanings.as_bytes());
+    for segment in &drawn.segments {
+        segment.ends.iter().for_each(|end| put(&end.to_le_bytes()));
+    }
+    put(&drawn.segments.iter().map(|segment| segment.class as u8).collect::<Vec<u8>>());
+    let positions = grid.differences(scene, drawn, &frames);
+    for byte in 0..2 {
+        put(&positions.iter().map(|difference| difference.to_le_bytes()[byte]).collect::<Vec<u8>>());
+    }
+    for &frame in &frames {
+        put(&tensions.codes(scene, drawn, frame));
+    }
+    deflated.finish().expect("memory takes what it is given")
+}
+
+/// Every `stride`-th frame, the last, and those of the largest area and of the largest tension.
+fn kept_frames(scene: &Scene, stride: usize) -> Vec<usize> {
+    let last = scene.frames() - 1;
+    let largest = |value: &dyn Fn(usize) -> f64| {
+        (0..=last).max_by(|&one, &other| value(one).total_cmp(&value(other))).unwrap_or(last)
+    };
+    let mut frames: Vec<usize> = (0..=last).step_by(stride).collect();
+    if stride > 1 {
+        let highest = |frame| scene.fields.tensions(frame).iter().copied().fold(0.0, f64::max);
+        frames.extend([last, largest(&|frame| area(scene, frame).unwrap_or(0.0)), largest(&highest)]);
+        frames.sort_unstable();
+        frames.dedup();
+    }
+    frames
+}
+
+/// Area of the outline along the launch axis, m^2.
+fn area(scene: &Scene, frame: usize) -> Option<f64> {
+    let positions = scene.fields.positions(frame);
+    let area = scene.landmarks.outline_area(|node| positions[node])?;
+    Some(area.dot(scene.landmarks.axis).abs())
+}
+
+/// The cube that the run fills, in 2^16 steps a side.
+struct Grid {
+    origin: DVec3,
+    step: f64,
+}
+
+impl Grid {
+    fn around(scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Self {
+        let all = || {
+            let drawn_of = |frame: usize| drawn.nodes.iter().map(move |&node| scene.fields.positions(frame)[node]);
+            frames.iter().flat_map(move |&frame| drawn_of(frame)).filter(|position| position.is_finite())
+        };
+        let low = all().reduce(DVec3::min).unwrap_or_default();
+        let high = all().reduce(DVec3::max).unwrap_or_default();
+        // where nothing extends anywhere, any step will do
+        let size = (high - low).max_element();
+        Self { origin: low, step: if size > 0.0 { size / f64::from(u16::MAX) } else { 1.0 } }
+    }
+
+    /// The place of a position on the grid. A run that failed may end in no number at all, which lies at the origin.
+    fn place(&self, position: DVec3) -> [u16; 3] {
+        ((position - self.origin) / self.step).round().to_array().map(|steps| steps as u16)
+    }
+
+    /// How far each position lies from where its last two frames would have led it, `[frame][axis][node]`.
+    fn differences(&self, scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Vec<u16> {
+        let mut differences = Vec::with_capacity(3 * drawn.nodes.len() * frames.len());
+        let mut last = vec![[0u16; 3]; drawn.nodes.len()];
+        let mut expected = last.clone();
+        for (count, &frame) in frames.iter().enumerate() {
+            let positions = scene.fields.positions(frame);
+            let places: Vec<[u16; 3]> = drawn.nodes.iter().map(|&node| self.place(positions[node])).collect();
+            for axis in 0..3 {
+                let pairs = places.iter().zip(&expected);
+                differences.extend(pairs.map(|(place, expected)| folded(place[axis].wrapping_sub(expected[axis]))));
+            }
+            for (node, place) in places.iter().enumerate() {
+                expected[node] = [0, 1, 2].map(|axis| match count {
+                    0 => place[axis],
+                    _ => place[axis].wrapping_mul(2).wrapping_sub(last[node][axis]),
+                });
+            }
+            last = places;
+        }
+        differences
+    }
+}
+
+/// A difference with its sign in the lowest bit, so that small ones of either sign are small numbers.
+fn folded(difference: u16) -> u16 {
+    let signed = difference as i16;
+    ((signed << 1) ^ (signed >> 15)) as u16
+}
+
+/// The scale of the tensions.
+struct Tensions {
+    /// The largest tension of a rope, N; at least what keeps its logarithm a number.
+    largest: f64,
+    /// The tension that all but few of the taut ropes stay below, N.
+    linear_top: f64,
+}
+
+impl Tensions {
+    /// The scale of what the ropes bear; members of canopies, which are none, may go beyond it.
+    fn of(scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Self {
+        let classes = &scene.landmarks.classes;
+        let ropes: Vec<usize> = drawn
+            .segments
+            .iter()
+            .filter(|segment| classes.get(segment.class as usize).is_none_or(|class| class.is_rope))
+            .flat_map(|segment| segment.parts.iter().copied())
+            .collect();
+        let borne = |&frame: &usize| ropes.iter().map(move |&segment| scene.fields.tensions(frame)[segment]);
+        let mut taut: Vec<f64> = frames.iter().flat_map(borne).filter(|&tension| tension > 0.0).collect();
+        let place = (taut.len() as f64 * LINEAR_SCALE_SHARE) as usize;
+        let linear_top = match place < taut.len() {
+            true => *taut.select_nth_unstable_by(place, f64::total_cmp).1,
+            false => 1.0,
+        };
+        Self { largest: taut.iter().copied().filter(|tension| tension.is_finite()).fold(1e-9, f64::max), linear_top }
+    }
+
+    fn code(&self, tension: f64) -> u8 {
+        if tension > 0.0 {
+            let decades = (tension / self.largest).log10() + TENSION_DECADES;
+            (1.0 + 254.0 * decades / TENSION_DECADES).round().clamp(1.0, 255.0) as u8
+        } else {
+            0
+        }
+    }
+
+    fn codes(&self, scene: &Scene, drawn: &Drawn, frame: usize) -> Vec<u8> {
+        let tensions = scene.fields.tensions(frame);
+        let largest = |parts: &[usize]| parts.iter().map(|&part| tensions[part]).fold(0.0, f64::max);
+        drawn.segments.iter().map(|segment| self.code(largest(&segment.parts))).collect()
+    }
+}
+
+/// All that is not an array of bytes.
+fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tensions: &Tensions) -> Value {
+    let landmarks = &scene.landmarks;
+    let place = |node: &usize| drawn.nodes.binary_search(node).expect("what has a meaning is drawn");
+    let places = |nodes: &[usize]| nodes.iter().map(place).collect::<Vec<usize>>();
+    let points = landmarks.points.iter().filter(|point| !point.is_group);
+    let named = ["corner", "centre"];
+    let classes = landmarks.classes.iter().map(|class| json!({"name": class.name, "is_rope": class.is_rope}));
+    let classes: Vec<Value> = classes.collect();
+    json!({
+        "frames": frames.len(),
+        "nodes": drawn.nodes.len(),
+        "segments": drawn.segments.len(),
+        "times_s": frames.iter().map(|&frame| scene.fields.times[frame]).collect::<Vec<f64>>(),
+        "origin_m": grid.origin.to_array(),
+        "step_m": grid.step,
+        "tension_max_n": tensions.largest,
+        "tension_decades": TENSION_DECADES,
+        "tension_linear_top_n": tensions.linear_top,
+        "classes": classes,
+        "axis": landmarks.axis.to_array(),
+        "areas_m2": frames.iter().map(|&frame| area(scene, frame)).collect::<Vec<_>>(),
+        "reference_area_m2": landmarks.reference_area,
+        "outline": landmarks.outline.iter().map(|nodes| places(nodes)).collect::<Vec<_>>(),
+        "tractors": places(&landmarks.tractors),
+        "points": points
+            .filter(|point| !named.contains(&point.name.as_str()))
+            .map(|point| json!({"name": point.name, "nodes": places(&point.nodes)}))
+            .collect::<Vec<_>>(),
+        "canopies": landmarks
+            .canopies
+            .iter()
+            .map(|canopy| json!({"hub": place(&canopy.hub), "rim": places(&canopy.rim)}))
+            .collect::<Vec<_>>(),
+        "bodies": landmarks
+            .bodies
+            .iter()
+            .map(|body| json!({"kind": body.kind, "node": place(&body.node), "size_m": body.size_m}))
+            .collect::<Vec<_>>(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_differences_of_either_sign_are_small_numbers() {
+        let signed = [0i16, -1, 1, -2, 2, i16::MAX, i16::MIN].map(|difference| folded(difference as u16));
+        assert_eq!(signed, [0, 1, 2, 3, 4, 65534, 65535]);
+    }
+
+    #[test]
+    fn tensions_keep_their_ratios() {
+        let scale = Tensions { largest: 1e5, linear_top: 1e4 };
+        assert_eq!([-3.0, 0.0, f64::NAN].map(|slack| scale.code(slack)), [0, 0, 0]);
+        assert_eq!([1e-4, 1.0, 1e5, 2e5].map(|tension| scale.code(tension)), [1, 1, 255, 255]);
+        assert_eq!(scale.code(10.0) - scale.code(1.0), scale.code(1e4) - scale.code(1e3));
+    }
+}

@@ -1,0 +1,237 @@
+// One clock and one camera over all views.
+
+/** How long a run takes to watch at the speed it starts with, s. */
+const WATCHED_S = 8;
+/** The least of 1, 2, 5, 10 ... that is not below a value. */
+function roundedUp(value) {
+  return niceStep(value, 1);
+}
+
+class Player {
+  /**
+   * Plays views in step and builds the controls in `host`.
+   *
+   * `seek(time)`, `play()`, `pause()`, `onTime(callback)`, `time`, `playing`; `framesPerSecond` while it plays.
+   */
+  constructor(views, host) {
+    this.views = views;
+    this.host = host;
+    this.duration = Math.max(...views.map(({ data }) => data.duration));
+    // frames are stepped through where there are most
+    this.times = views
+      .map(({ data }) => data.times)
+      .reduce((most, times) => (times.length > most.length ? times : most));
+    this.time = 0;
+    this.playing = false;
+    this.framesPerSecond = 0;
+    this.listeners = [];
+    this.requested = 0;
+    const most = (what) => Math.max(...views.map(({ data }) => data[what]));
+    const camera = new Camera(views[0].data.axis, most("across"), most("up"));
+    const top = roundedUp(Math.max(...views.map(({ data }) => data.tension.max)));
+    this.scales = {
+      log: { low: top / 1e4, high: top },
+      linear: { low: 0, high: Math.max(...views.map(({ data }) => data.tension.linearTop)) },
+    };
+    this.look = {
+      camera,
+      follow: "web",
+      stay: [0, 0, 0],
+      mode: "log",
+      labels: true,
+      canopies: true,
+      scale: this.scales.log,
+    };
+    // a link class has one colour in all views
+    this.look.classes = [...new Set(views.flatMap(({ data }) => data.classes.map(({ name }) => name)))];
+    this.start = this.usualSpeed();
+    this.speed = this.start;
+    host.classList.add("replay-controls");
+    this.restyle();
+    this.controls = new Controls(this, host);
+    this.colourBy("log");
+    for (const view of views) {
+      view.stale = () => this.redraw();
+      grasp(this, view.host);
+      view.host.addEventListener("keydown", (event) => pressed(this, event));
+      view.host.tabIndex = 0;
+      view.host.setAttribute("role", "group");
+      view.host.setAttribute("aria-label", "The net in three dimensions. Press ? for its keys.");
+    }
+    host.addEventListener("keydown", (event) => pressed(this, event));
+    const restyle = () => {
+      this.restyle();
+      this.redraw();
+    };
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
+    // what is seen first is the web at its largest; the first play begins at the beginning
+    this.untouched = true;
+    this.seek(this.largest());
+    this.untouched = true;
+  }
+
+  /** When the first web is largest; the end where it only shrinks or has no area. */
+  largest() {
+    const { areas, times } = this.views[0].data;
+    const place = areas.reduce((largest, area, frame) => (area > areas[largest] ? frame : largest), 0);
+    return place > 0 ? times[place] : this.duration;
+  }
+
+  /** The speed at which a run takes about eight seconds to watch. */
+  usualSpeed() {
+    const wanted = this.duration / WATCHED_S;
+    if (!(wanted > 0)) return 1;
+    return wanted > 1 ? Math.round(wanted) : 1 / Math.max(1, Math.round(1 / wanted));
+  }
+
+  /** Calls back with the time whenever it changes, and once now. */
+  onTime(callback) {
+    this.listeners.push(callback);
+    callback(this.time);
+  }
+
+  seek(time) {
+    this.untouched = false;
+    this.time = Math.min(this.duration, Math.max(0, time));
+    this.redraw();
+  }
+
+  play() {
+    if (this.playing) return;
+    if (this.untouched || this.time >= this.duration) this.seek(0);
+    this.playing = true;
+    this.untouched = false;
+    this.last = null;
+    this.redraw();
+  }
+
+  pause() {
+    this.playing = false;
+    this.redraw();
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  step(frames) {
+    this.pause();
+    const { times, time } = this;
+    const slack = 1e-9 * (this.duration || 1);
+    const now =
+      frames > 0 ? times.findLastIndex((at) => at <= time + slack) : times.findIndex((at) => at >= time - slack);
+    const from = now < 0 ? (frames > 0 ? 0 : times.length - 1) : now;
+    this.seek(times[Math.min(times.length - 1, Math.max(0, from + frames))]);
+  }
+
+  redraw() {
+    if (this.requested === 0) this.requested = requestAnimationFrame((now) => this.drawn(now));
+  }
+
+  /** A frame of the screen. */
+  drawn(now) {
+    this.requested = 0;
+    if (this.playing) {
+      if (this.last !== null && now > this.last) {
+        const seconds = (now - this.last) / 1e3;
+        this.count(now);
+        this.time = Math.min(this.duration, this.time + seconds * this.speed);
+        if (this.time >= this.duration) this.playing = false;
+      }
+      this.last = now;
+      this.counted ??= { since: now, frames: 0 };
+    } else {
+      this.counted = null;
+    }
+    for (const view of this.views) view.draw(this.time, this.look);
+    this.controls.show();
+    if (this.time !== this.told) {
+      this.told = this.time;
+      for (const callback of this.listeners) callback(this.time);
+    }
+    if (this.playing) this.redraw();
+  }
+
+  /** Keeps account of the frames a second, over half a second or more. */
+  count(now) {
+    this.counted.frames++;
+    const seconds = (now - this.counted.since) / 1e3;
+    if (seconds < 0.5) return;
+    this.framesPerSecond = this.counted.frames / seconds;
+    this.host.dataset.fps = this.framesPerSecond.toFixed(1);
+    this.counted = null;
+  }
+
+  /** Takes the page's colours anew. */
+  restyle() {
+    const style = getComputedStyle(this.host);
+    const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+    const parsed = (text) => {
+      canvas.clearRect(0, 0, 1, 1);
+      canvas.fillStyle = text;
+      canvas.fillRect(0, 0, 1, 1);
+      return [...canvas.getImageData(0, 0, 1, 1).data].map((part) => part / 255);
+    };
+    const colour = (name) => style.getPropertyValue(`--${name}`).trim();
+    const stops = colour("tension-map")
+      .split(",")
+      .map((stop) => parsed(stop.trim()));
+    const map = Array.from({ length: 256 }, (_, place) => {
+      const at = (place / 255) * (stops.length - 1),
+        stop = Math.min(stops.length - 2, Math.floor(at));
+      return stops[stop].map((part, which) => part + (at - stop) * (stops[stop + 1][which] - part));
+    });
+    const faint = (name, alpha) => [...parsed(colour(name)).slice(0, 3), alpha];
+    this.look.colours = {
+      map,
+      classes: Array.from({ length: 8 }, (_, place) => parsed(colour(`curve-${place}`))),
+      slack: parsed(colour("slack")),
+      member: faint("soft", 0.55),
+      scenery: faint("soft", 0.3),
+      open: faint("accent", 0.13),
+      canopy: faint("canopy", 0.4),
+      tractor: parsed(colour("tractor")),
+      payload: parsed(colour("payload")),
+      sensor: parsed(colour("sensor")),
+    };
+  }
+
+  /** Colours the ropes by tension on a scale that is `log` or `linear`, or by link `class`. */
+  colourBy(mode) {
+    this.look.mode = mode;
+    this.look.scale = this.scales[mode] ?? this.scales.log;
+    this.controls.colourChoice.value = mode;
+    this.controls.showLegend();
+    this.redraw();
+  }
+
+  /** Keeps the middle of the `web`, of the `tractors` or of `nothing` in the middle. */
+  follow(what) {
+    const { look } = this;
+    if (what === "nothing") {
+      // stays where it is
+      const view = this.views[0];
+      const middles = look.follow === "tractors" ? view.data.tractorMiddles : view.data.middles;
+      if (look.follow !== "nothing") look.stay = [0, 1, 2].map((axis) => view.atMoment(middles, 3, axis));
+    }
+    look.follow = what;
+    this.controls.followChoice.value = what;
+    this.redraw();
+  }
+
+  lookFrom(name) {
+    this.look.camera.look(name);
+    this.redraw();
+  }
+
+  reset() {
+    this.look.camera.home();
+    this.follow("web");
+  }
+
+  zoom(factor) {
+    this.look.camera.zoom(factor);
+    this.redraw();
+  }
+}

@@ -1,0 +1,417 @@
+// One net on one canvas: ropes, canopies, bodies, the shaded outline, the muzzle plane, and labels over it.
+
+/** Share of the flat web's area from which a web counts as open. */
+const OPEN = 0.8;
+
+/** The step of 1, 2, 5, 10 ... that divides a length into at most so many parts. */
+function niceStep(length, parts) {
+  const rough = Math.max(length, 1e-9) / parts,
+    decade = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].map((step) => step * decade).find((step) => step >= rough * (1 - 1e-9));
+}
+
+/** A cylinder of diameter 2 and height 1 about the origin: places and normals, triangle by triangle. */
+function cylinder(sides) {
+  const mesh = [];
+  const at = (side) => [Math.cos((2 * Math.PI * side) / sides), Math.sin((2 * Math.PI * side) / sides)];
+  for (let side = 0; side < sides; side++) {
+    const [a, b] = [at(side), at(side + 1)];
+    for (const [[x, y], z] of [
+      [a, -0.5],
+      [b, -0.5],
+      [b, 0.5],
+      [a, -0.5],
+      [b, 0.5],
+      [a, 0.5],
+    ])
+      mesh.push(x, y, z, x, y, 0);
+    for (const z of [-0.5, 0.5]) for (const [x, y] of [[0, 0], a, b]) mesh.push(x, y, z, 0, 0, 2 * z);
+  }
+  return new Float32Array(mesh);
+}
+
+class View {
+  /**
+   * Shows a decoded run in `host`. `options.title` is written in a corner, for pages of several.
+   *
+   * Nothing is drawn until a Player has the view. Without WebGL 2 the host says so and all else goes on.
+   */
+  constructor(host, data, options = {}) {
+    this.host = host;
+    this.data = data;
+    /** Set by the player: asks for another drawing. */
+    this.stale = () => {};
+    host.classList.add("replay-view");
+    this.canvas = host.appendChild(document.createElement("canvas"));
+    if (options.title) this.note("replay-title", options.title);
+    this.state = this.note("replay-state", "");
+    this.tick = niceStep(Math.max(data.travel[1] - data.travel[0], data.reach), 8);
+    /** How far the launch axis is drawn, and where it has marks, m. */
+    this.axisEnds = [data.travel[0], data.travel[1] + data.reach / 4];
+    const [first, last] = [Math.ceil(this.axisEnds[0] / this.tick), Math.floor(this.axisEnds[1] / this.tick)];
+    this.marks = Array.from({ length: last - first + 1 }, (_, place) => (first + place) * this.tick);
+    this.labels = new Labels(this, host);
+    this.gl = this.canvas.getContext("webgl2", { alpha: true, antialias: true, premultipliedAlpha: true });
+    if (this.gl === null) {
+      this.canvas.remove();
+      this.labels.overlay.remove();
+      this.note("replay-missing", "The replay needs WebGL 2, which this browser does not offer here.");
+    } else {
+      this.build();
+      this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+      this.canvas.addEventListener("webglcontextrestored", () => {
+        this.build();
+        this.stale();
+      });
+    }
+    this.visible = true;
+    new ResizeObserver(() => this.stale()).observe(host);
+    new IntersectionObserver(([entry]) => {
+      this.visible = entry.isIntersecting;
+      this.stale();
+    }).observe(host);
+  }
+
+  note(className, text) {
+    const note = this.host.appendChild(document.createElement("div"));
+    note.className = className;
+    note.textContent = text;
+    return note;
+  }
+
+  /** Puts what stays the same into the graphics processor's memory. */
+  build() {
+    const { gl, data } = this;
+    this.programs = Object.fromEntries(Object.entries(SHADERS).map(([name, sources]) => [name, program(gl, sources)]));
+    this.frames = this.turns(gl.RGB16UI, gl.RGB_INTEGER, gl.UNSIGNED_SHORT, data.positions);
+    this.pulls = this.turns(gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE, data.tensions);
+    this.colours = this.texture(gl.LINEAR);
+    this.classColours = this.texture(gl.LINEAR);
+    this.painted = null;
+
+    const rows = Math.max(1, Math.ceil(data.segments / ROW)),
+      segments = new Uint32Array(4 * ROW * rows);
+    data.classOf.forEach((kind, segment) => {
+      const [from, to] = data.ends.subarray(2 * segment);
+      segments.set([from, to, kind, data.classes[kind]?.is_rope === false ? 1 : 0], 4 * segment);
+    });
+    this.segments = this.texture(gl.NEAREST);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, ROW, rows);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, segments);
+    const lines = this.scenery();
+    this.lineVertices = lines.length / 8;
+    this.lines = this.arrays([{ values: new Float32Array(lines), sizes: [3, 3, 2] }]);
+    this.mesh = cylinder(20);
+    this.bodyBuffer = gl.createBuffer();
+    this.bodies = this.arrays([
+      { values: this.mesh, sizes: [3, 3] },
+      { buffer: this.bodyBuffer, sizes: [3, 2, 3], each: true },
+    ]);
+    this.sheetBuffer = gl.createBuffer();
+    this.sheets = this.arrays([{ buffer: this.sheetBuffer, sizes: [3] }]);
+  }
+
+  /** A texture, bound, that is read so between its cells. */
+  texture(filter) {
+    const { gl } = this;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, filter);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+    return texture;
+  }
+
+  /** Two textures that take turns in holding frames. */
+  turns(inner, format, type, frames) {
+    const { gl } = this;
+    const height = frames[0].length / ROW / (format === gl.RGB_INTEGER ? 3 : 1);
+    const slots = [0, 1].map(() => {
+      const texture = this.texture(gl.NEAREST);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, inner, ROW, height);
+      return { texture, frame: -1 };
+    });
+    return { slots, frames, height, format, type };
+  }
+
+  /** A vertex array of numbers; buffers hold one attribute after the other, `each` is for one an instance. */
+  arrays(buffers) {
+    const { gl } = this;
+    const made = gl.createVertexArray();
+    gl.bindVertexArray(made);
+    let location = 0;
+    for (const { values, buffer = gl.createBuffer(), sizes, each = false } of buffers) {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      if (values) gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+      const stride = 4 * sizes.reduce((sum, one) => sum + one);
+      let offset = 0;
+      for (const size of sizes) {
+        gl.enableVertexAttribArray(location);
+        gl.vertexAttribPointer(location, size, gl.FLOAT, false, stride, offset);
+        gl.vertexAttribDivisor(location, each ? 1 : 0);
+        offset += 4 * size;
+        location++;
+      }
+    }
+    gl.bindVertexArray(null);
+    return made;
+  }
+
+  /** The vertices of grid and launch axis with its marks: from, to, strength and whether it fades. */
+  scenery() {
+    const { data } = this;
+    const [one, other, axis] = this.axes();
+    this.grid = niceStep(2 * data.reach, 12);
+    const count = Math.ceil((1.4 * data.reach) / this.grid);
+    this.gridEnd = count * this.grid;
+    const lines = [];
+    const line = (from, to, strength, fades) => {
+      for (let vertex = 0; vertex < 6; vertex++) lines.push(...from, ...to, strength, fades);
+    };
+    for (let place = -count; place <= count; place++) {
+      for (const [along, across] of [
+        [one, other],
+        [other, one],
+      ]) {
+        // in pieces, so that each fades by where it is
+        for (let piece = -count; piece < count; piece++) {
+          const at = (step) => add(scaled(across, place * this.grid), scaled(along, step * this.grid));
+          line(at(piece), at(piece + 1), place === 0 ? 1 : 0.6, 1);
+        }
+      }
+    }
+    const [low, high] = this.axisEnds;
+    line(scaled(axis, low), scaled(axis, high), 1.4, 0);
+    for (const mark of this.marks) {
+      const at = scaled(axis, mark),
+        half = this.tick / 16;
+      line(add(at, scaled(one, -half)), add(at, scaled(one, half)), 1.4, 0);
+      line(add(at, scaled(other, -half)), add(at, scaled(other, half)), 1.4, 0);
+    }
+    return lines;
+  }
+
+  /** Two directions across the launch axis, and the axis. */
+  axes() {
+    const axis = this.data.axis;
+    const one = unit(cross(Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0], axis));
+    return [one, cross(axis, one), axis];
+  }
+
+  /** Where a node is at the time shown, m. */
+  place(node) {
+    const { data, moment } = this;
+    const [now, next] = [data.positions[moment.frame], data.positions[moment.next]];
+    return [0, 1, 2].map((axis) => {
+      const at = 3 * node + axis;
+      return data.origin[axis] + data.step * (now[at] + moment.between * (next[at] - now[at]));
+    });
+  }
+
+  /** A value of each frame, at the time shown; `width` and `part` choose one of several. */
+  atMoment(values, width = 1, part = 0) {
+    const { frame, next, between } = this.moment;
+    const [now, then] = [values[width * frame + part], values[width * next + part]];
+    return now === null || then === null ? null : now + between * (then - now);
+  }
+
+  /** Area of the outline as a share of the flat web's, at the time shown. */
+  get openShare() {
+    const area = this.atMoment(this.data.areas);
+    return area === null || !this.data.referenceArea ? null : area / this.data.referenceArea;
+  }
+
+  /** Draws a moment as the player's look says. */
+  draw(time, look) {
+    this.moment = frameAt(this.data, time);
+    this.say();
+    if (this.gl === null || !this.visible) return;
+    const { gl, host } = this;
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    const [width, height] = [host.clientWidth, host.clientHeight];
+    if (width === 0 || height === 0 || gl.isContextLost()) return;
+    const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.canvas.width !== wide || this.canvas.height !== high)
+      [this.canvas.width, this.canvas.height] = [wide, high];
+
+    const followed = { web: this.data.middles, tractors: this.data.tractorMiddles }[look.follow];
+    const target = followed ? [0, 1, 2].map((axis) => this.atMoment(followed, 3, axis)) : look.stay;
+    const matrix = look.camera.matrix(target, width, height);
+    const scene = { matrix, ratio, size: [wide, high], look };
+    gl.viewport(0, 0, wide, high);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+
+    gl.depthMask(false);
+    this.drawLines(scene);
+    gl.depthMask(true);
+    this.drawBodies(scene);
+    this.drawRopes(scene);
+    gl.depthMask(false);
+    this.drawSheets(scene);
+    gl.depthMask(true);
+    gl.bindVertexArray(null);
+    this.labels.place(matrix, width, height, look);
+  }
+
+  use(name, { matrix, size, look }) {
+    const { gl } = this;
+    const { made, uniforms } = this.programs[name];
+    gl.useProgram(made);
+    gl.uniformMatrix4fv(uniforms.uCamera, false, matrix);
+    if (uniforms.uSize) gl.uniform2fv(uniforms.uSize, size);
+    if (uniforms.uNear) gl.uniform1f(uniforms.uNear, look.camera.near);
+    return uniforms;
+  }
+
+  /** Binds the textures of the two frames around the moment, loading what is not there yet. */
+  bindFrames(store, unitBefore, unitAfter) {
+    const { gl } = this;
+    const { frame, next } = this.moment;
+    for (const [wanted, other, place] of [
+      [frame, next, unitBefore],
+      [next, frame, unitAfter],
+    ]) {
+      const slot =
+        store.slots.find((slot) => slot.frame === wanted) ?? store.slots.find((slot) => slot.frame !== other);
+      gl.activeTexture(gl.TEXTURE0 + place);
+      gl.bindTexture(gl.TEXTURE_2D, slot.texture);
+      if (slot.frame !== wanted) {
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, ROW, store.height, store.format, store.type, store.frames[wanted]);
+        slot.frame = wanted;
+      }
+    }
+  }
+
+  drawRopes(scene) {
+    const { gl, data } = this;
+    const { look, ratio } = scene;
+    const uniforms = this.use("ropes", scene);
+    this.bindFrames(this.frames, 0, 1);
+    this.bindFrames(this.pulls, 2, 3);
+    this.paint(look);
+    [this.colours, this.classColours, this.segments].forEach((texture, place) => {
+      gl.activeTexture(gl.TEXTURE4 + place);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    });
+    ["uBefore", "uAfter", "uTensionBefore", "uTensionAfter", "uColours", "uClassColours", "uSegments"].forEach(
+      (name, place) => gl.uniform1i(uniforms[name], place),
+    );
+    gl.uniform1f(uniforms.uBetween, this.moment.between);
+    gl.uniform1f(uniforms.uStep, data.step);
+    gl.uniform3fv(uniforms.uOrigin, data.origin);
+    // a crowded net is drawn with finer lines
+    const crowd = Math.sqrt(2500 / Math.max(2500, data.segments));
+    gl.uniform1f(uniforms.uWidth, ratio * (0.9 + 0.9 * crowd));
+    gl.uniform1f(uniforms.uDistance, look.camera.distance);
+    gl.uniform1f(uniforms.uDecades, data.tension.decades);
+    gl.uniform1f(uniforms.uLow, Math.log10(look.scale.low / data.tension.max));
+    gl.uniform1f(uniforms.uHigh, Math.log10(look.scale.high / data.tension.max));
+    gl.uniform1i(uniforms.uMode, ["log", "linear", "class"].indexOf(look.mode));
+    gl.uniform4fv(uniforms.uSlack, look.colours.slack);
+    gl.uniform4fv(uniforms.uMember, look.colours.member);
+    gl.bindVertexArray(null);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * data.segments);
+  }
+
+  /** Brings the colours of tensions and link classes into their textures, where the theme has changed. */
+  paint({ colours, classes }) {
+    if (this.painted === colours) return;
+    const { gl } = this;
+    const bytes = (list) => new Uint8Array(list.flatMap((colour) => colour.map((part) => Math.round(255 * part))));
+    const rows = [
+      [this.colours, colours.map],
+      [
+        this.classColours,
+        this.data.classes.map(({ name }) => colours.classes[classes.indexOf(name) % colours.classes.length]),
+      ],
+    ];
+    gl.activeTexture(gl.TEXTURE4);
+    for (const [texture, row] of rows) {
+      if (row.length === 0) continue;
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, row.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(row));
+    }
+    this.painted = colours;
+  }
+
+  drawLines(scene) {
+    const { gl } = this;
+    const uniforms = this.use("lines", scene);
+    gl.uniform4fv(uniforms.uColour, scene.look.colours.scenery);
+    gl.uniform1f(uniforms.uFadeEnd, this.gridEnd);
+    gl.uniform1f(uniforms.uWidth, scene.ratio);
+    gl.bindVertexArray(this.lines);
+    gl.drawArrays(gl.TRIANGLES, 0, this.lineVertices);
+  }
+
+  drawBodies(scene) {
+    const { gl, data } = this;
+    const { look, ratio, size } = scene;
+    if (data.bodies.length === 0) return;
+    const uniforms = this.use("bodies", scene);
+    const [one, other, axis] = this.axes();
+    const { right, up, back } = look.camera.frame;
+    gl.uniformMatrix3fv(uniforms.uFrame, false, [...one, ...other, ...axis]);
+    gl.uniform1f(uniforms.uMetresAPixel, look.camera.pixel(...size));
+    gl.uniform1f(uniforms.uDistance, look.camera.distance);
+    gl.uniform1f(uniforms.uLeast, 6 * ratio);
+    gl.uniform3fv(uniforms.uLight, unit(add(add(scaled(right, -0.4), scaled(up, 0.7)), scaled(back, 0.6))));
+    const particle = [1e-6, 1e-6];
+    const bodies = data.bodies.flatMap(({ kind, node, size_m }) => [
+      ...this.place(node),
+      ...(size_m ?? particle),
+      ...look.colours[kind].slice(0, 3),
+    ]);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.bodyBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(bodies), gl.DYNAMIC_DRAW);
+    gl.bindVertexArray(this.bodies);
+    gl.drawArraysInstanced(gl.TRIANGLES, 0, this.mesh.length / 6, data.bodies.length);
+  }
+
+  /** Canopies, and the outline where the web is open. */
+  drawSheets(scene) {
+    const { gl, data } = this;
+    const { look } = scene;
+    const fan = (middle, rim) =>
+      rim.flatMap((corner, place) => [...middle, ...corner, ...rim[(place + 1) % rim.length]]);
+    const sheets = [];
+    if (this.openShare >= OPEN && data.outline.length > 2) {
+      const rim = data.outline.map((nodes) =>
+        scaled(nodes.map((node) => this.place(node)).reduce(add), 1 / nodes.length),
+      );
+      sheets.push([fan(scaled(rim.reduce(add), 1 / rim.length), rim), look.colours.open]);
+    }
+    if (look.canopies && data.canopies.length > 0) {
+      const corners = ({ hub, rim }) =>
+        fan(
+          this.place(hub),
+          rim.map((node) => this.place(node)),
+        );
+      sheets.push([data.canopies.flatMap(corners), look.colours.canopy]);
+    }
+    if (sheets.length === 0) return;
+    const uniforms = this.use("sheets", scene);
+    gl.bindVertexArray(this.sheets);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.sheetBuffer);
+    for (const [corners, colour] of sheets) {
+      gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.DYNAMIC_DRAW);
+      gl.uniform4fv(uniforms.uColour, colour);
+      gl.drawArrays(gl.TRIANGLES, 0, corners.length / 3);
+    }
+  }
+
+  /** Tells in a corner how far the web is open. */
+  say() {
+    const area = this.atMoment(this.data.areas),
+      share = this.openShare;
+    if (area === null) return;
+    const open = share === null ? "" : ` · ${(100 * share).toFixed(0)} % of flat`;
+    this.state.textContent = `${area.toFixed(area < 9.995 ? 2 : 1)} m²${open}`;
+    this.state.classList.toggle("open", share !== null && share >= OPEN);
+  }
+}

@@ -1,0 +1,117 @@
+// A Chromium that reaches no network and whose every complaint is a failure; WebGL is drawn in software.
+
+import { chromium } from "playwright-core";
+
+const ARGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+export const DESKTOP = { viewport: { width: 1440, height: 1000 } };
+export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+/** The browser; another than Debian's by the variable CHROMIUM. */
+export const launch = () =>
+  chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ARGS });
+
+/** Opens a file in a context of its own and waits until all of it stands. `before` runs ahead of the page's scripts. */
+export async function open(browser, file, options = DESKTOP, before = null) {
+  const context = await browser.newContext({ colorScheme: "light", reducedMotion: "no-preference", ...options });
+  await context.setOffline(true);
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(error.stack ?? error.message));
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`);
+  });
+  if (before !== null) await page.addInitScript(before);
+  await page.goto(`file://${file}`, { waitUntil: "load" });
+  await page.waitForFunction(() => window.netcast !== undefined, null, { timeout: 60_000 });
+  await settled(page);
+  return { page, context, complaints };
+}
+
+/** When what was asked for has been drawn. */
+export const settled = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))),
+  );
+
+/**
+ * What an element shows: how many of its pixels differ from its background, how many are vivid, as ropes and nothing
+ * else are, how bright its background is (0 to 1), and a sum that tells two pictures apart.
+ */
+export async function look(page, selector) {
+  // words have colours of their own
+  const style = ".replay-state, .replay-title, .replay-labels { visibility: hidden !important; }";
+  const picture = (await page.locator(selector).first().screenshot({ style })).toString("base64");
+  return page.evaluate(async (picture) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${picture}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const at = 4 * (10 * canvas.width + 10);
+    const ground = data.slice(at, at + 3);
+    let drawn = 0,
+      vivid = 0,
+      sum = 0;
+    for (let place = 0; place < data.length; place += 4) {
+      const [red, green, blue] = [data[place], data[place + 1], data[place + 2]];
+      if (Math.abs(red - ground[0]) + Math.abs(green - ground[1]) + Math.abs(blue - ground[2]) > 24) drawn++;
+      if (Math.max(red, green, blue) - Math.min(red, green, blue) > 90) vivid++;
+      sum = (sum * 31 + red + 256 * green + 65536 * blue) % 4294967291;
+    }
+    return { drawn, vivid, sum, brightness: (ground[0] + ground[1] + ground[2]) / 765 };
+  }, picture);
+}
+
+/** What stands out over the right edge of the window, but for what scrolls within itself. */
+export const overflowing = (page) =>
+  page.evaluate(() => {
+    const scrolls = (element) =>
+      element !== null &&
+      (["auto", "scroll", "hidden"].includes(getComputedStyle(element).overflowX) || scrolls(element.parentElement));
+    const wide = [...document.body.querySelectorAll("*")].filter(
+      (element) =>
+        element.getBoundingClientRect().right > innerWidth + 0.5 &&
+        !scrolls(element.parentElement) &&
+        element.checkVisibility(),
+    );
+    const names = wide.map((element) => `${element.tagName.toLowerCase()}.${element.getAttribute("class") ?? ""}`);
+    return document.documentElement.scrollWidth > innerWidth
+      ? [...names, `the page: ${document.documentElement.scrollWidth} px`]
+      : names;
+  });
+
+/** Puts one or two fingers down, moves them along straight lines and lifts them. Each finger: [[x, y], [x, y]]. */
+export async function touch(page, ...fingers) {
+  const client = await page.context().newCDPSession(page);
+  const points = (share) =>
+    fingers.map(([from, to], id) => ({
+      id,
+      x: from[0] + share * (to[0] - from[0]),
+      y: from[1] + share * (to[1] - from[1]),
+    }));
+  await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
+  for (let step = 1; step <= 8; step++)
+    await client.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(step / 8) });
+  await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await client.detach();
+  await settled(page);
+}
+
+/** Collects what does not hold, so that one run tells all of it. */
+export class Checks {
+  failures = [];
+
+  holds(what, condition, found = "") {
+    if (!condition) this.failures.push(`${what}${found === "" ? "" : `: ${JSON.stringify(found)}`}`);
+  }
+
+  near(what, got, expected, tolerance) {
+    this.holds(what, Math.abs(got - expected) <= tolerance, { got, expected });
+  }
+}
