@@ -1,21 +1,23 @@
-// node screenshots.mjs FOLDER [IMAGES]: report.png, report-dark.png and report-phone.png of a report.
+// node screenshots.mjs REPORT COMPARISON [IMAGES]: report.png, report-dark.png and report-phone.png of a result folder,
+// compare.png of a comparison's.
 
 import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { resolve } from "node:path";
 import { DESKTOP, PHONE, launch, open, settled } from "./browser.mjs";
 
-const [folder, images = fileURLToPath(new URL("../../docs/images", import.meta.url))] = process.argv.slice(2);
-if (folder === undefined) {
-  console.error("usage: node screenshots.mjs FOLDER [IMAGES]");
+const [report, comparison, images = fileURLToPath(new URL("../../docs/images", import.meta.url))] = process.argv.slice(2);
+if (comparison === undefined) {
+  console.error("usage: node screenshots.mjs REPORT COMPARISON [IMAGES]");
   process.exit(2);
 }
 mkdirSync(images, { recursive: true });
 const browser = await launch();
-for (const [name, options] of [
-  ["report", DESKTOP],
-  ["report-dark", { ...DESKTOP, colorScheme: "dark" }],
-  ["report-phone", PHONE],
+for (const [name, folder, options] of [
+  ["report", report, DESKTOP],
+  ["report-dark", report, { ...DESKTOP, colorScheme: "dark" }],
+  ["report-phone", report, PHONE],
+  ["compare", comparison, { viewport: { width: 1440, height: 1900 } }],
 ]) {
   const { page, context } = await open(browser, resolve(folder, "report.html"), options);
   await settled(page);
