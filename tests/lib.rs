@@ -48,7 +48,10 @@ impl Run {
     fn of(document: &Document) -> Run {
         let results = TempDir::new().expect("a temporary folder");
         let target = results.path().join("run");
-        let ran = netcast::run(document, &target, &RunOptions { threads: 1 }, &mut |_| {}, &|| false)
+        let ran =
+            netcast::run(document, &target, &RunOptions { threads: 1, ..RunOptions::default() }, &mut |_| {}, &|| {
+                false
+            })
             .unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(ran.failure, None);
         Run {

@@ -39,8 +39,8 @@ fn twelve_designs_are_told_apart() {
         .collect();
     let lineup = Lineup::read(&designs, &["solve.duration=20 ms".to_owned()], None).unwrap_or_else(|e| panic!("{e}"));
     let target = folder.path().join("comparison");
-    let compared =
-        compare(&lineup, &target, &RunOptions { threads: 2 }, &|_| {}, &|| false).unwrap_or_else(|e| panic!("{e}"));
+    let compared = compare(&lineup, &target, &RunOptions { threads: 2, ..RunOptions::default() }, &|_| {}, &|| false)
+        .unwrap_or_else(|e| panic!("{e}"));
     assert!(compared.failures.is_empty() && compared.comparison.finished);
 
     let [difference] = &compared.comparison.differences[..] else { panic!("{:?}", compared.comparison.differences) };

@@ -71,7 +71,8 @@ fn throw(reported: &Reported) -> Summary {
     let document = Document::read(&root().join("examples").join(reported.scenario), &[]).expect("a valid example");
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("results");
-    let ran = run(&document, &out, &RunOptions { threads: 1 }, &mut |_| {}, &|| false).expect("it runs");
+    let ran = run(&document, &out, &RunOptions { threads: 1, ..RunOptions::default() }, &mut |_| {}, &|| false)
+        .expect("it runs");
     assert!(ran.failure.is_none(), "{}: {:?}", reported.web, ran.failure);
     ran.summary
 }

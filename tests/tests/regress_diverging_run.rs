@@ -10,7 +10,9 @@ fn a_run_that_overflows_keeps_what_it_had() {
     let document = Document::read(&examples().join("04_square_net/square_net.toml"), &overrides).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let target = folder.path().join("run");
-    let ran = netcast::run(&document, &target, &RunOptions { threads: 1 }, &mut |_| {}, &|| false).unwrap();
+    let ran =
+        netcast::run(&document, &target, &RunOptions { threads: 1, ..RunOptions::default() }, &mut |_| {}, &|| false)
+            .unwrap();
     println!("{}", ran.failure.as_ref().expect("it diverges"));
     assert!(ran.failure.is_some() && !ran.summary.finished);
     let summary = netcast::results::Summary::read(&target.join("summary.json")).unwrap();

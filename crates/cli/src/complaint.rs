@@ -1,6 +1,7 @@
 //! What went wrong, as a person reads it, and the exit status that it has.
 
 use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use netcast::results::ResultError;
@@ -15,9 +16,18 @@ pub enum Complaint {
     /// A path, a name or another argument is wrong: status 2.
     Argument(String),
     /// The run failed; what it had computed is kept: status 3.
-    Failed(Failure, std::path::PathBuf),
+    Failed {
+        /// Why.
+        failure: Failure,
+        /// Where what was computed is.
+        folder: PathBuf,
+        /// The command that goes on with it, where it can go on.
+        resume: Option<String>,
+    },
+    /// What a run computed could not be written any more; the rest is kept: status 3.
+    CutOff(String),
     /// Some of several runs failed; all are kept as far as they came: status 3.
-    SomeFailed(Vec<(String, Failure)>, std::path::PathBuf),
+    SomeFailed(Vec<(String, Failure)>, PathBuf),
     /// Results could not be written: status 1.
     Fault(String),
 }
@@ -27,7 +37,7 @@ impl Complaint {
     pub fn status(&self) -> u8 {
         match self {
             Complaint::Input(_) | Complaint::Argument(_) => 2,
-            Complaint::Failed(..) | Complaint::SomeFailed(..) => 3,
+            Complaint::Failed { .. } | Complaint::SomeFailed(..) | Complaint::CutOff(_) => 3,
             Complaint::Fault(_) => 1,
         }
     }
@@ -45,10 +55,11 @@ impl Complaint {
                 let all: String = diagnostics.0.iter().map(|diagnostic| render(diagnostic) + "\n\n").collect();
                 format!("{all}{count} error{}; nothing was written\n", if count == 1 { "" } else { "s" })
             }
-            Complaint::Failed(failure, folder) => {
+            Complaint::Failed { failure, folder, resume } => {
                 let accept = accept(failure);
-                let kept = format!("       what was computed is in {}", folder.display());
-                format!("error: the run failed: {failure}\n{accept}{kept}\n")
+                let kept = format!("       what was computed is in {}\n", folder.display());
+                let go_on = resume.iter().map(|command| format!("       go on with: {command}\n"));
+                format!("error: the run failed: {failure}\n{accept}{kept}{}", go_on.collect::<String>())
             }
             Complaint::SomeFailed(failures, folder) => {
                 let told = failures.iter().map(|(name, failure)| format!("error: {name} failed: {failure}\n"));
@@ -57,7 +68,9 @@ impl Complaint {
                 let kept = format!("       what was computed is compared in {}", folder.display());
                 format!("{told}{accept}{kept}\n")
             }
-            Complaint::Argument(message) | Complaint::Fault(message) => format!("error: {message}\n"),
+            Complaint::Argument(message) | Complaint::Fault(message) | Complaint::CutOff(message) => {
+                format!("error: {message}\n")
+            }
         }
     }
 }
@@ -79,11 +92,19 @@ impl From<Diagnostics> for Complaint {
 impl From<ResultError> for Complaint {
     fn from(error: ResultError) -> Complaint {
         match error {
-            // the place for the results was not well chosen
+            // the place for the results was not well chosen, or what is there does not allow what was asked for
             ResultError::TargetIsFile { .. }
             | ResultError::TargetNotOurs { .. }
             | ResultError::TargetUnwritable { .. }
-            | ResultError::TargetHoldsCurrent { .. } => Complaint::Argument(error.to_string()),
+            | ResultError::TargetHoldsCurrent { .. }
+            | ResultError::InUse { .. }
+            | ResultError::LeftBehind { .. }
+            | ResultError::NothingToResume { .. }
+            | ResultError::NotCheckpoint { .. }
+            | ResultError::OtherProgram { .. }
+            | ResultError::Changed { .. }
+            | ResultError::Cut { .. }
+            | ResultError::NotFields { .. } => Complaint::Argument(error.to_string()),
             _ => Complaint::Fault(error.to_string()),
         }
     }
@@ -95,6 +116,10 @@ impl From<RunError> for Complaint {
             RunError::Input(diagnostics) => diagnostics.into(),
             RunError::Result(error) => error.into(),
             RunError::Report(error) => Complaint::Fault(error.to_string()),
+            RunError::OtherInputs { .. } => {
+                Complaint::Argument(format!("{error}\n       run it with the same inputs, or without --resume"))
+            }
+            RunError::CutOff { .. } => Complaint::CutOff(error.to_string()),
         }
     }
 }

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{check, compare, init, report, run, schema, stow};
+use commands::{bench, check, compare, init, report, run, schema, stow};
 use complaint::Complaint;
 
 /// Simulates flexible nets that are thrown.
@@ -28,7 +28,7 @@ First steps:
   netcast check scenario.toml   check it; say what it is made of and what a run costs
   netcast run scenario.toml     run it; results go to results/scenario/, report.html among them
 
-Not there yet: export, import, verify, fit, study, intercept, bench
+Not there yet: export, import, verify, fit, study, intercept
 
 Exit status:
   0  done
@@ -44,6 +44,7 @@ enum Command {
     Init(init::Arguments),
     Stow(stow::Arguments),
     Report(report::Arguments),
+    Bench(bench::Arguments),
     Schema(schema::Arguments),
 }
 
@@ -61,6 +62,7 @@ fn main() -> ExitCode {
         Some(Command::Init(arguments)) => init::run(arguments),
         Some(Command::Stow(arguments)) => stow::run(arguments),
         Some(Command::Report(arguments)) => report::run(arguments),
+        Some(Command::Bench(arguments)) => bench::run(arguments),
         Some(Command::Schema(arguments)) => schema::run(arguments),
     };
     match ended {

@@ -1,13 +1,14 @@
 //! Where the energy is and where it went.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::forces::{gravity, mass_damping, rope_tension};
 use crate::system::System;
 
 /// The energy balance at one time, J. What is stored is computed from the state; what was lost is the
 /// integral of its own power or work, step by step (trapezoidal rule). None is found by difference.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ledger {
     /// Kinetic energy of everything.
     pub kinetic: f64,
@@ -69,7 +70,7 @@ impl Ledger {
 }
 
 /// How well the balance closes over a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
     start: Ledger,
     largest_residual: f64,
@@ -105,6 +106,11 @@ impl Balance {
         self.start.sum()
     }
 
+    /// What missing energy is counted from.
+    pub(crate) fn start(&self) -> &Ledger {
+        &self.start
+    }
+
     /// Largest |residual| of the run, J.
     pub fn largest_residual(&self) -> f64 {
         self.largest_residual
@@ -126,7 +132,7 @@ fn ratio(residual: f64, energy: f64) -> f64 {
 }
 
 /// Running integrals of what is lost.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Losses {
     rope: f64,
     mass: Integral,
@@ -150,7 +156,7 @@ impl Losses {
 }
 
 /// Trapezoidal rule over equal steps.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 struct Integral {
     value: f64,
     last: Option<f64>,

@@ -2,13 +2,12 @@
 //!
 //! A *run* is a walk along segments of one class that uses each segment once. Its nodes are copied, in order, into
 //! *slots*; the segment of slot `i` joins it to slot `i + 1`, so that the hot loop reads its neighbours without an
-//! index. A node that appears in one slot only, and is free, is *private*: it is advanced where it lies. Every other
-//! node (a knot of several ropes, a held node, a lone mass) is *shared*: its slots are mere copies, its force is the
-//! sum over its slots in ascending order. That order is fixed by the layout alone, hence the same bits for any number
-//! of threads.
+//! index. The last slot of a node is its *home*, where it is advanced. A node that lies in several slots is a *knot*:
+//! before it is advanced its home collects the forces of its other slots in ascending order, afterwards these get its
+//! new values. That order is fixed by the layout alone, hence the same bits for any number of threads.
 //!
 //! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A
-//! run that does not fit is continued in the next block, and the node at the cut becomes a shared one.
+//! run that does not fit is continued in the next block, and the node at the cut becomes a knot.
 
 use crate::system::Segment;
 
@@ -27,34 +26,28 @@ pub struct Slot {
 /// Consecutive slots whose segments are of one class.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BlockPlan {
-    /// Link class of all its segments.
+    /// Link class of all its segments; the number of classes where it has none.
     pub class: usize,
     /// The slots, run after run.
     pub slots: Vec<Slot>,
 }
 
-/// Where a node's own values are kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Home {
-    /// In its only slot.
-    Private {
-        /// Index of the block.
-        block: usize,
-        /// Index of the slot in the block.
-        slot: usize,
-    },
-    /// Among the shared nodes.
-    Shared(usize),
+/// A slot of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Address {
+    /// Index of the block.
+    pub block: usize,
+    /// Index of the slot in the block.
+    pub slot: usize,
 }
 
 /// The slots and homes of a net.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layout {
     blocks: Vec<BlockPlan>,
-    homes: Vec<Home>,
-    shared: Vec<usize>,
-    copies: Vec<Vec<(usize, usize)>>,
-    segment_slots: Vec<(usize, usize)>,
+    homes: Vec<Address>,
+    knots: Vec<Vec<Address>>,
+    segment_slots: Vec<Address>,
 }
 
 impl Layout {
@@ -64,32 +57,23 @@ impl Layout {
         for class in 0..class_count {
             pack(class, runs(nodes, segments, class), &mut blocks);
         }
+        pack(class_count, lone_nodes(nodes, segments), &mut blocks);
 
         let mut slots_of = vec![Vec::new(); nodes];
-        let mut segment_slots = vec![(usize::MAX, usize::MAX); segments.len()];
-        for (b, block) in blocks.iter().enumerate() {
-            for (s, slot) in block.slots.iter().enumerate() {
-                slots_of[slot.node].push((b, s));
-                if let Some(segment) = slot.segment {
-                    segment_slots[segment] = (b, s);
+        let mut segment_slots = vec![Address { block: usize::MAX, slot: usize::MAX }; segments.len()];
+        for (block, plan) in blocks.iter().enumerate() {
+            for (slot, content) in plan.slots.iter().enumerate() {
+                let address = Address { block, slot };
+                slots_of[content.node].push(address);
+                if let Some(segment) = content.segment {
+                    segment_slots[segment] = address;
                 }
             }
         }
-
-        let (mut shared, mut copies) = (Vec::new(), Vec::new());
-        let homes = slots_of
-            .into_iter()
-            .enumerate()
-            .map(|(node, slots)| match slots[..] {
-                [(block, slot)] if !held[node] => Home::Private { block, slot },
-                _ => {
-                    shared.push(node);
-                    copies.push(slots);
-                    Home::Shared(shared.len() - 1)
-                }
-            })
-            .collect();
-        Layout { blocks, homes, shared, copies, segment_slots }
+        let homes = slots_of.iter().map(|slots| *slots.last().expect("every node has a slot")).collect();
+        // a held node stays where it is in every slot: there is nothing to exchange
+        let exchanging = slots_of.into_iter().zip(held).filter(|(slots, held)| slots.len() > 1 && !**held);
+        Layout { blocks, homes, knots: exchanging.map(|(slots, _)| slots).collect(), segment_slots }
     }
 
     /// The blocks, classes in order.
@@ -97,23 +81,18 @@ impl Layout {
         &self.blocks
     }
 
-    /// Where each node's values are kept; shape (nodes,).
-    pub fn homes(&self) -> &[Home] {
+    /// Where each node is advanced; shape (nodes,).
+    pub fn homes(&self) -> &[Address] {
         &self.homes
     }
 
-    /// The shared nodes, ascending.
-    pub fn shared(&self) -> &[usize] {
-        &self.shared
+    /// The slots of each free node that lies in several, ascending: the last is its home.
+    pub fn knots(&self) -> &[Vec<Address>] {
+        &self.knots
     }
 
-    /// (block, slot) of every copy of each shared node, ascending; shape (shared,).
-    pub fn copies(&self) -> &[Vec<(usize, usize)>] {
-        &self.copies
-    }
-
-    /// (block, slot) where each segment starts; shape (segments,).
-    pub fn segment_slots(&self) -> &[(usize, usize)] {
+    /// Where each segment starts; shape (segments,).
+    pub fn segment_slots(&self) -> &[Address] {
         &self.segment_slots
     }
 
@@ -164,6 +143,15 @@ fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
         }
     }
     found
+}
+
+/// Nodes at which no segment ends, each as a run of its own.
+fn lone_nodes(nodes: usize, segments: &[Segment]) -> Vec<Vec<Slot>> {
+    let mut lone = vec![true; nodes];
+    for node in segments.iter().flat_map(|s| s.ends) {
+        lone[node] = false;
+    }
+    (0..nodes).filter(|&node| lone[node]).map(|node| vec![Slot { node, segment: None }]).collect()
 }
 
 /// Fills blocks of one class with runs, cutting those that do not fit.
@@ -225,7 +213,7 @@ mod tests {
         let rope: Vec<_> = (0..9).map(|i| segment(i, i + 1, 0)).collect();
         let layout = layout(10, &rope);
         assert_eq!(layout.slot_count(), 10);
-        assert!(layout.shared().is_empty());
+        assert!(layout.knots().is_empty());
         holds_every_segment_once(&layout, &rope);
     }
 
@@ -251,20 +239,20 @@ mod tests {
         let layout = layout(2 * BLOCK_SLOTS + 1, &rope);
         holds_every_segment_once(&layout, &rope);
         assert_eq!(layout.blocks().len(), 3);
-        assert_eq!(layout.shared().len(), 2);
+        assert_eq!(layout.knots().len(), 2);
     }
 
     #[test]
     fn a_lone_mass_has_a_home() {
         let layout = layout(3, &[segment(0, 1, 0)]);
-        assert_eq!(layout.homes()[2], Home::Shared(0));
+        assert_eq!(layout.homes()[2], Address { block: 1, slot: 0 });
     }
 
     #[test]
-    fn a_closed_loop_meets_itself_in_a_shared_node() {
+    fn a_closed_loop_meets_itself_in_a_knot() {
         let ring: Vec<_> = (0..6).map(|i| segment(i, (i + 1) % 6, 0)).collect();
         let layout = layout(6, &ring);
         holds_every_segment_once(&layout, &ring);
-        assert_eq!((layout.slot_count(), layout.shared().len()), (7, 1));
+        assert_eq!((layout.slot_count(), layout.knots().len()), (7, 1));
     }
 }

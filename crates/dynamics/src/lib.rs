@@ -9,6 +9,7 @@
 //!   [`time::step_size`] says how large a step may be. [`layout`] says how a net lies in memory for it.
 //! * [`simulate`](simulate::simulate) runs a system from a state and shows every step to an
 //!   [`Observer`](simulate::Observer).
+//! * A [`Snapshot`](snapshot::Snapshot) is where a run stands; [`resume`](simulate::resume) goes on from one.
 //! * [`energy`] keeps the ledger by which a run is judged.
 //!
 //! A mass on a rope, swinging:
@@ -50,6 +51,7 @@ pub mod energy;
 pub mod forces;
 pub mod layout;
 pub mod simulate;
+pub mod snapshot;
 pub mod state;
 pub mod system;
 pub mod time;

@@ -3,9 +3,10 @@
 use glam::DVec3;
 
 use crate::energy::{Balance, Ledger, Losses};
+use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
-use crate::time::step::Stepper;
+use crate::time::step::{StepSums, Stepper};
 
 /// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
 /// stays below 1 however far a run diverges: here, a hundred times what there was.
@@ -57,7 +58,8 @@ impl Schedule {
         whole + steps as f64 * self.dt
     }
 
-    fn records(&self, step: u64) -> bool {
+    /// Whether a step is recorded.
+    pub fn records(&self, step: u64) -> bool {
         step.is_multiple_of(self.steps_per_record) || step == self.count
     }
 }
@@ -95,16 +97,22 @@ pub struct Frame<'s> {
     pub residual: f64,
 }
 
-/// Who watches a run.
-pub trait Observer {
+/// Who watches a run; it may be called from another thread than the one that started the run.
+pub trait Observer: Send {
     /// After every step.
     fn step(&mut self, live: &Live);
     /// At every record time, the start and the end among them.
     fn record(&mut self, frame: &Frame);
-    /// Asked at every record time: whether to stop here.
+    /// Asked at every record time but the last: whether to stop here.
     fn interrupted(&self) -> bool {
         false
     }
+    /// Asked at every record time but the last: whether [`Observer::snapshot`] should be called now.
+    fn wants_snapshot(&mut self) -> bool {
+        false
+    }
+    /// Where the run stands, after the record: when it was wanted, and before an interrupted run stops.
+    fn snapshot(&mut self, _: &Snapshot) {}
 }
 
 /// Why a run stopped before its time. What had been recorded stays valid.
@@ -183,44 +191,116 @@ pub fn simulate(
     threads: usize,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    let mut net = Stepper::new(system, state, schedule.dt, threads);
-    let mut losses = Losses::default();
-    let mut record = Record::new(system);
-    let dt = schedule.dt;
+    let net = Stepper::new(system, state, schedule.dt, threads);
+    let mut run = Run { net, schedule, step: 0, losses: Losses::default(), record: Record::new(system) };
+    run.net.team().lead(|| match run.look(observer) {
+        Some(outcome) => outcome,
+        None => run.go_on(observer),
+    })
+}
 
-    for step in 0..=schedule.count {
-        let time = schedule.time(step);
-        let sums = if schedule.records(step) {
-            // look at the net between its forces and its advance
-            let sums = net.forces();
-            losses.add_rope_work(sums.rope_work);
-            let measured = sums.rope_work.is_finite() && record.take(&net, time, step, &losses, observer);
-            let stop = match measured {
-                true => record.stop(time, step, observer.interrupted()),
-                false => Some(not_finite(&net, time, step)),
-            };
-            if stop.is_some() || step == schedule.count {
-                return record.outcome(step, time, stop);
+/// Goes on from a snapshot of a run of the same `system` along the same `schedule`. What `observer` sees is what it
+/// would have seen after that record, bit for bit.
+///
+/// # Panics
+/// Where it is a snapshot of something else; [`Snapshot::check`] says so.
+pub fn resume(
+    system: &System,
+    snapshot: &Snapshot,
+    schedule: &Schedule,
+    threads: usize,
+    observer: &mut dyn Observer,
+) -> Outcome {
+    snapshot.check(system, schedule).unwrap_or_else(|error| panic!("{error}"));
+    let Snapshot { step, motion, losses, balance, ledger } = snapshot;
+    let mut net = Stepper::resume(system, motion, schedule.dt, threads);
+    // the forces at the record; what ropes lost on the way there is in the losses
+    net.forces();
+    let record = Record { balance: Some(*balance), ledger: *ledger, ..Record::new(system) };
+    let mut run = Run { net, schedule, step: *step, losses: *losses, record };
+    run.net.team().lead(|| run.go_on(observer))
+}
+
+/// A run under way.
+struct Run<'a> {
+    net: Stepper<'a>,
+    schedule: &'a Schedule,
+    /// The step that is next.
+    step: u64,
+    losses: Losses,
+    record: Record,
+}
+
+impl Run<'_> {
+    /// From a record to the end.
+    fn go_on(&mut self, observer: &mut dyn Observer) -> Outcome {
+        loop {
+            let sums = self.net.advance();
+            self.stepped(sums, observer);
+            while !self.schedule.records(self.step) {
+                let sums = self.net.step();
+                self.losses.add_rope_work(sums.rope_work);
+                if !sums.rope_work.is_finite() {
+                    return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
+                }
+                self.stepped(sums, observer);
             }
-            net.advance()
-        } else {
-            let sums = net.step();
-            losses.add_rope_work(sums.rope_work);
-            if !sums.rope_work.is_finite() {
-                return record.outcome(step, time, Some(not_finite(&net, time, step)));
+            if let Some(outcome) = self.look(observer) {
+                return outcome;
             }
-            sums
-        };
-        losses.add_mass_power(sums.mass_power, dt);
+        }
+    }
+
+    /// Shows the net to the observer between its forces and its advance. Where the run ends here, says how.
+    fn look(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
+        let (time, step) = (self.time(), self.step);
+        let sums = self.net.forces();
+        self.losses.add_rope_work(sums.rope_work);
+        let measured = sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, observer);
+        if !measured {
+            return Some(self.outcome(Some(not_finite(&self.net, time, step))));
+        }
+        let diverged = self.record.diverged(time, step);
+        if diverged.is_some() || step == self.schedule.count {
+            return Some(self.outcome(diverged));
+        }
+        let interrupted = observer.interrupted();
+        if observer.wants_snapshot() || interrupted {
+            observer.snapshot(&self.snapshot());
+        }
+        interrupted.then(|| self.outcome(Some(StepError::Interrupted { time })))
+    }
+
+    /// Takes a step into account.
+    fn stepped(&mut self, sums: StepSums, observer: &mut dyn Observer) {
+        let (dt, time) = (self.schedule.dt, self.time());
+        self.losses.add_mass_power(sums.mass_power, dt);
+        self.step += 1;
         observer.step(&Live {
-            position_time: schedule.time(step + 1),
+            position_time: self.time(),
             velocity_time: time + 0.5 * dt,
             tension_time: time,
             dt,
-            net: &net,
+            net: &self.net,
         });
     }
-    unreachable!("the last step returns")
+
+    /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
+    fn snapshot(&self) -> Snapshot {
+        let Run { net, schedule: _, step, losses, record } = self;
+        let Record { position: _, velocity: _, tension: _, ledger, balance: _ } = record;
+        Snapshot { step: *step, motion: net.motion(), losses: *losses, balance: record.balance(), ledger: *ledger }
+    }
+
+    /// Time of the step that is next, s.
+    fn time(&self) -> f64 {
+        self.schedule.time(self.step)
+    }
+
+    fn outcome(&self, stopped: Option<StepError>) -> Outcome {
+        let (balance, ledger) = (self.record.balance(), self.record.ledger);
+        Outcome { steps: self.step, end_time: self.time(), balance, ledger, stopped }
+    }
 }
 
 /// The net at a record time, in buffers that are used again.
@@ -229,7 +309,7 @@ struct Record {
     velocity: Vec<DVec3>,
     tension: Vec<f64>,
     ledger: Ledger,
-    start: Option<(Ledger, Balance)>,
+    balance: Option<Balance>,
 }
 
 impl Record {
@@ -240,7 +320,7 @@ impl Record {
             velocity: vec![DVec3::ZERO; nodes],
             tension: vec![0.0; system.segments().len()],
             ledger: Ledger::default(),
-            start: None,
+            balance: None,
         }
     }
 
@@ -256,29 +336,23 @@ impl Record {
         if !ledger.sum().is_finite() {
             return false;
         }
-        let (start, balance) = self.start.get_or_insert_with(|| (ledger, Balance::new(ledger)));
+        let balance = self.balance.get_or_insert_with(|| Balance::new(ledger));
         balance.add(&ledger);
         self.ledger = ledger;
         let (position, velocity, tension) = (&self.position[..], &self.velocity[..], &self.tension[..]);
-        observer.record(&Frame { time, step, position, velocity, tension, ledger, residual: ledger.residual(start) });
+        let residual = ledger.residual(balance.start());
+        observer.record(&Frame { time, step, position, velocity, tension, ledger, residual });
         true
     }
 
-    fn stop(&self, time: f64, step: u64, interrupted: bool) -> Option<StepError> {
+    fn diverged(&self, time: f64, step: u64) -> Option<StepError> {
         let balance = self.balance();
-        if balance.closure() > DIVERGED {
-            Some(StepError::Diverged { step, time, residual: balance.largest_residual() })
-        } else {
-            interrupted.then_some(StepError::Interrupted { time })
-        }
+        let residual = balance.largest_residual();
+        (balance.closure() > DIVERGED).then_some(StepError::Diverged { step, time, residual })
     }
 
     fn balance(&self) -> Balance {
-        self.start.map_or_else(|| Balance::new(self.ledger), |(_, balance)| balance)
-    }
-
-    fn outcome(&self, steps: u64, end_time: f64, stopped: Option<StepError>) -> Outcome {
-        Outcome { steps, end_time, balance: self.balance(), ledger: self.ledger, stopped }
+        self.balance.unwrap_or_else(|| Balance::new(self.ledger))
     }
 }
 

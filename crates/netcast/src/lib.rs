@@ -16,9 +16,12 @@
 //! [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at. ARCHITECTURE.md has the
 //! picture.
 
+pub mod bench;
 mod compare;
+mod inputs;
 mod landmarks;
 mod run;
+mod values;
 
 pub use netcast_dynamics as dynamics;
 pub use netcast_report as report;

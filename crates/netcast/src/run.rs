@@ -1,18 +1,19 @@
 //! The run: from a scenario to a result folder.
 
-use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use netcast_dynamics::simulate::{Place, Schedule, StepError, simulate};
+use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
 use netcast_report::ReportError;
 use netcast_results::summary::{self, Summary};
-use netcast_results::{Machine, Manifest, Recorder, ResultError, ResultFolder, folder, manifest};
+use netcast_results::{
+    Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, folder,
+};
 use netcast_scenario::lower::Model;
 use netcast_scenario::solve::OnEnergyError;
-use netcast_scenario::{Diagnostics, Document, resolved_toml};
+use netcast_scenario::{Diagnostics, Document};
 
+use crate::inputs::Inputs;
 use crate::landmarks::landmarks;
 
 /// How a run is carried out; nothing here changes its results.
@@ -20,11 +21,16 @@ use crate::landmarks::landmarks;
 pub struct RunOptions {
     /// Threads that it may use.
     pub threads: usize,
+    /// Whether it goes on from where an earlier run of the same scenario with the same target stopped or died.
+    pub resume: bool,
+    /// How often what it takes to go on is written down.
+    pub checkpoint_every: CheckpointEvery,
 }
 
 impl Default for RunOptions {
     fn default() -> Self {
-        RunOptions { threads: std::thread::available_parallelism().map_or(1, |n| n.get()) }
+        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+        RunOptions { threads, resume: false, checkpoint_every: CheckpointEvery::default() }
     }
 }
 
@@ -46,6 +52,8 @@ pub struct Ran {
     pub folder: PathBuf,
     /// Why it failed; what was computed is in the folder all the same.
     pub failure: Option<Failure>,
+    /// Whether it can go on from where it stopped.
+    pub can_resume: bool,
 }
 
 /// Why a run failed although its input was right.
@@ -83,6 +91,22 @@ pub enum RunError {
     /// The report cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),
+    /// The run that should go on was one of something else.
+    #[error("{} was a run of other inputs: {differences}", folder.display())]
+    OtherInputs {
+        /// Where it is.
+        folder: PathBuf,
+        /// What differs.
+        differences: String,
+    },
+    /// What the run computed cannot be written any more.
+    #[error("{source}; what was computed is in {}", folder.display())]
+    CutOff {
+        /// What went wrong.
+        source: Box<RunError>,
+        /// Where it is, as far as it could be written.
+        folder: PathBuf,
+    },
 }
 
 /// When a model's steps and records happen.
@@ -94,20 +118,66 @@ pub fn schedule(model: &Model) -> Schedule {
 /// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so,
 /// the run stops at the next one.
 ///
+/// While it runs, what it has is in `<target>.running`, and outlasts a crash.
+///
+/// Where the scenario leaves the step to us and the energy balance misses what is asked of it, the run is made again with a
+/// smaller step, twice at most.
+///
 /// # Errors
-/// [`RunError`], with nothing written, where the input is wrong or `target` cannot be written. A run that goes
-/// wrong on the way is no error: it is a [`Ran`] with a [`Failure`].
+/// [`RunError`], with nothing written, where the input is wrong, `target` cannot be written, or there is nothing to
+/// resume; [`RunError::CutOff`] where results cannot be written any more. A run that goes wrong on the way is no
+/// error: it is a [`Ran`] with a [`Failure`].
 pub fn run(
     document: &Document,
     target: &Path,
     options: &RunOptions,
-    progress: &mut dyn FnMut(Progress),
-    interrupted: &dyn Fn() -> bool,
+    progress: &mut (dyn FnMut(Progress) + Send),
+    interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Ran, RunError> {
+    let ours = document.scenario.solve.step_fraction.is_none() && !options.resume;
+    let mut document = document.clone();
+    let mut again = Vec::new();
+    loop {
+        let ran = run_once(&document, target, options, progress, interrupted, &again)?;
+        let Some(Failure::Unbalanced { found, smaller, .. }) = ran.failure else { return Ok(ran) };
+        if !ours || again.len() == MOST_REPEATS {
+            return Ok(ran);
+        }
+        document = document.with_step_fraction(smaller);
+        again.push(format!(
+            "with a larger step the energy balance missed its tolerance ({found:.3} %): run again with \
+             solve.step_fraction = {smaller}"
+        ));
+    }
+}
+
+/// How often a run is made again with a smaller step.
+const MOST_REPEATS: usize = 2;
+
+/// One run with the step that `document` gives or leaves to us; `notes` are for its summary.
+fn run_once(
+    document: &Document,
+    target: &Path,
+    options: &RunOptions,
+    progress: &mut (dyn FnMut(Progress) + Send),
+    interrupted: &(dyn Fn() -> bool + Sync),
+    notes: &[String],
 ) -> Result<Ran, RunError> {
     let clock = Instant::now();
-    let model = Model::new(document)?;
-    let folder = ResultFolder::create(target)?;
-    write_inputs(document, &model, folder.path())?;
+    let mut model = Model::new(document)?;
+    model.notes.extend_from_slice(notes);
+    let inputs = Inputs::new(document, &model)?;
+    let input_hash = inputs.hash();
+    let (mut folder, checkpoint) = match options.resume {
+        true => left_behind(target, &inputs, &input_hash)?,
+        false => (ResultFolder::running(target)?, None),
+    };
+    // first of all what says whose folder it is
+    let mut manifest = Manifest::new(input_hash.clone(), Machine::this(), options.threads);
+    manifest.write(&folder.path().join(folder::MANIFEST))?;
+    inputs.write(folder.path())?;
+    let landmarks = landmarks(&model);
+    landmarks.write(&folder.path().join(folder::LANDMARKS))?;
 
     let schedule = schedule(&model);
     let record = &model.scenario.record;
@@ -115,58 +185,126 @@ pub fn run(
     let end_s = schedule.time(schedule.count);
     let mut tell = |time_s: f64| progress(Progress { time_s, end_s });
     let (system, state) = (&model.system, &model.state);
-    let landmarks = landmarks(&model);
-    landmarks.write(&folder.path().join(folder::LANDMARKS))?;
-    let mut recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
-    let outcome = simulate(system, state, &schedule, options.threads, &mut recorder);
+    let recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
+    let wall_time_before = checkpoint.as_ref().map_or(Duration::ZERO, Checkpoint::wall_time);
+    let checkpoints = Checkpoints { every: options.checkpoint_every, input_hash, wall_time_before, clock };
+    let mut recorder = match &checkpoint {
+        None => recorder.keep_in(folder.path(), checkpoints)?,
+        Some(checkpoint) => {
+            let other = |_| ResultError::NotCheckpoint { path: folder.path().join(folder::CHECKPOINT) };
+            checkpoint.snapshot.check(system, &schedule).map_err(other)?;
+            recorder.go_on_in(folder.path(), checkpoints, checkpoint)?
+        }
+    };
+
+    // from here on there is something to lose
+    folder.keep();
+    let kept = folder.path().to_path_buf();
+    let outcome = match &checkpoint {
+        None => simulate(system, state, &schedule, options.threads, &mut recorder),
+        Some(checkpoint) => resume(system, &checkpoint.snapshot, &schedule, options.threads, &mut recorder),
+    };
     let solve = &model.scenario.solve;
-    let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()))?;
+    let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()));
+    let ran = recording.map_err(RunError::from).and_then(|recording| {
+        manifest.wall_time_s = (wall_time_before + clock.elapsed()).as_secs_f64();
+        Ended { model: &model, schedule: &schedule, outcome, recording }.publish(folder, &manifest)
+    });
+    ran.map_err(|source| RunError::CutOff { source: Box::new(source), folder: kept })
+}
 
-    let stopped = outcome.stopped.as_ref().map(|error| Failure::Stopped(in_words(&model, error)));
-    // a run that came apart says so, and what mends it
-    let came_apart = matches!(outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
-    let unbalanced = match came_apart {
-        true => None,
-        false => unbalanced(&recording.energy, solve.step_fraction.map_or(1.0, |f| f.si())),
+/// The folder of the run that goes on, and its checkpoint; none where that run died before its first, and this one
+/// begins at the start.
+fn left_behind(
+    target: &Path,
+    inputs: &Inputs,
+    input_hash: &str,
+) -> Result<(ResultFolder, Option<Checkpoint<'static>>), RunError> {
+    let read = |left: &Path| Checkpoint::read(&left.join(folder::CHECKPOINT));
+    let folder = ResultFolder::resuming(target, |left| match read(left)? {
+        (_, hash) if hash == input_hash => Ok(()),
+        _ => Err(RunError::OtherInputs { folder: left.to_path_buf(), differences: inputs.differences(left) }),
+    })?;
+    let checkpoint = match folder.path().join(folder::CHECKPOINT).exists() {
+        true => Some(read(folder.path())?.0),
+        false => None,
     };
-    let mut warnings = model.notes.clone();
-    warnings.extend(stopped.iter().chain(&unbalanced).map(Failure::to_string));
-    let failure = stopped.or(unbalanced.filter(|_| solve.on_energy_error == OnEnergyError::Stop));
+    Ok((folder, checkpoint))
+}
 
-    let limiting = model.limit.segment.map(|segment| model.segment_label(segment));
-    let bill = &model.bill;
-    let summary = Summary {
-        title: model.scenario.title.clone(),
-        netcast: env!("CARGO_PKG_VERSION").to_owned(),
-        wall_time_s: clock.elapsed().as_secs_f64(),
-        finished: outcome.stopped.is_none(),
-        model: summary::Model {
-            nodes: system.mass().len(),
-            segments: system.segments().len(),
-            rope_length_m: bill.length_by_class.values().sum(),
-            web_mass_kg: system.mass().iter().sum::<f64>() - bill.tractor_mass,
-            tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
-        },
-        step: summary::Step { dt_s: schedule.dt, count: outcome.steps, limited_by: limiting },
-        opening: recording.opening.clone(),
-        points: recording.points.clone(),
-        tension: recording.tension.clone(),
-        posture: recording.posture.clone(),
-        mouth: recording.mouth.clone(),
-        target: recording.target.clone(),
-        flight: recording.flight.clone(),
-        stowed: stowed(&model),
-        energy: recording.energy.clone(),
-        warnings,
-    };
-    recording.write(folder.path())?;
-    summary.write(&folder.path().join(folder::SUMMARY))?;
-    let hash = manifest::hash_inputs(&folder.path().join(folder::INPUTS))?;
-    let mut manifest = Manifest::new(hash, Machine::this(), options.threads);
-    manifest.wall_time_s = summary.wall_time_s;
-    manifest.write(&folder.path().join(folder::MANIFEST))?;
-    netcast_report::write_report(folder.path())?;
-    Ok(Ran { summary, folder: folder.publish()?, failure })
+/// A run that has come to its end, one way or another.
+struct Ended<'m> {
+    model: &'m Model,
+    schedule: &'m Schedule,
+    outcome: Outcome,
+    recording: Recording,
+}
+
+impl Ended<'_> {
+    /// Writes what it comes to and puts its folder in its place.
+    fn publish(self, folder: ResultFolder, manifest: &Manifest) -> Result<Ran, RunError> {
+        let (failure, warnings) = self.verdict();
+        // a run that was interrupted can go on; any other ended, or would end in the same way again
+        let can_resume = matches!(self.outcome.stopped, Some(StepError::Interrupted { .. }));
+        if !can_resume {
+            folder.forget_checkpoint()?;
+        }
+        let summary = self.summary(manifest.wall_time_s, warnings);
+        summary.write(&folder.path().join(folder::SUMMARY))?;
+        manifest.write(&folder.path().join(folder::MANIFEST))?;
+        netcast_report::write_report(folder.path())?;
+        Ok(Ran { summary, folder: folder.publish()?, failure, can_resume })
+    }
+
+    /// Why it failed, if it did, and what the reader should know.
+    fn verdict(&self) -> (Option<Failure>, Vec<String>) {
+        let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
+        // a run that came apart says so, and what mends it
+        let came_apart = matches!(stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
+        let unbalanced = match came_apart {
+            true => None,
+            false => unbalanced(&self.recording.energy, solve.step_fraction.map_or(1.0, |f| f.si())),
+        };
+        let stopped = stopped.as_ref().map(|error| Failure::Stopped(in_words(self.model, error)));
+        let mut warnings = self.model.notes.clone();
+        warnings.extend(stopped.iter().chain(&unbalanced).map(Failure::to_string));
+        (stopped.or(unbalanced.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
+    }
+
+    fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
+        let Ended { model, schedule, outcome, recording } = self;
+        let (system, bill) = (&model.system, &model.bill);
+        let limiting = model.limit.segment.map(|segment| model.segment_label(segment));
+        Summary {
+            title: model.scenario.title.clone(),
+            netcast: env!("CARGO_PKG_VERSION").to_owned(),
+            wall_time_s,
+            finished: outcome.stopped.is_none(),
+            model: summary::Model {
+                nodes: system.mass().len(),
+                segments: system.segments().len(),
+                rope_length_m: bill.length_by_class.values().sum(),
+                web_mass_kg: system.mass().iter().sum::<f64>() - bill.tractor_mass,
+                tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
+            },
+            step: summary::Step {
+                dt_s: schedule.dt,
+                count: outcome.steps,
+                limited_by: limiting,
+                lifted_by: model.step_lift(),
+            },
+            opening: recording.opening,
+            points: recording.points,
+            tension: recording.tension,
+            posture: recording.posture,
+            mouth: recording.mouth,
+            target: recording.target,
+            flight: recording.flight,
+            stowed: stowed(model),
+            energy: recording.energy,
+            warnings,
+        }
+    }
 }
 
 /// The audit of the state at the start.
@@ -212,23 +350,4 @@ fn in_words(model: &Model, error: &StepError) -> String {
         StepError::Diverged { .. } => format!("{error}; {mend}"),
         StepError::Interrupted { .. } => error.to_string(),
     }
-}
-
-/// Writes the scenario as resolved and the files it names, each under a name of its own.
-fn write_inputs(document: &Document, model: &Model, to: &Path) -> Result<(), ResultError> {
-    let inputs = to.join(folder::INPUTS);
-    fs::create_dir_all(&inputs).map_err(ResultError::write(&inputs))?;
-    let mut scenario = model.scenario.clone();
-    let mut taken = BTreeSet::from(["scenario.toml".to_owned()]);
-    for file in scenario.files_mut() {
-        let from = document.written.folder.join(&*file);
-        let mut name = file.file_name().map_or_else(|| "file".into(), |n| n.to_string_lossy().into_owned());
-        while !taken.insert(name.clone()) {
-            name.insert(0, '_');
-        }
-        fs::copy(&from, inputs.join(&name)).map_err(ResultError::read(&from))?;
-        *file = name.into();
-    }
-    let path = inputs.join("scenario.toml");
-    fs::write(&path, resolved_toml(&scenario)).map_err(ResultError::write(&path))
 }

@@ -195,6 +195,7 @@ fn model(summary: &Value) -> String {
             ("Time step", step["dt_s"].as_f64().map(duration)),
             ("Steps", count(&step["count"])),
             ("Limited by", step["limited_by"].as_str().map(str::to_owned)),
+            ("Larger with", step["lifted_by"].as_str().map(str::to_owned)),
             ("Computed in", summary["wall_time_s"].as_f64().map(duration)),
         ],
     )

@@ -34,6 +34,59 @@ pub enum ResultError {
         /// The reason given.
         source: io::Error,
     },
+    /// Another run is at work on this folder.
+    #[error("{} is being written by another run: wait for its end, or choose another folder", path.display())]
+    InUse {
+        /// The folder of that run.
+        path: PathBuf,
+    },
+    /// A run that did not end left what took time to compute.
+    #[error(
+        "{} holds a run that did not end: go on with it by --resume, or remove that folder to start anew",
+        path.display()
+    )]
+    LeftBehind {
+        /// The folder of that run.
+        path: PathBuf,
+    },
+    /// There is no run that could go on.
+    #[error("there is nothing to resume: {} {what}", path.display())]
+    NothingToResume {
+        /// The result folder.
+        path: PathBuf,
+        /// What it is instead.
+        what: &'static str,
+    },
+    /// A checkpoint is cut short or damaged, or one of another system.
+    #[error("{} is cut short, damaged, or no checkpoint of this run: run it anew", path.display())]
+    NotCheckpoint {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A checkpoint was written by a program that may compute other bits.
+    #[error("{} was written by {wrote}, and this is {this}: resume with that, or run anew", path.display())]
+    OtherProgram {
+        /// The file.
+        path: PathBuf,
+        /// Which program wrote it.
+        wrote: String,
+        /// Which program this is.
+        this: String,
+    },
+    /// A file was cut off before anything in it was whole.
+    #[error("{}: {what}", path.display())]
+    Cut {
+        /// The file.
+        path: PathBuf,
+        /// How much is missing.
+        what: String,
+    },
+    /// A file is no longer what it was at the checkpoint.
+    #[error("{} is shorter or other than it was at the checkpoint: the run cannot go on, run it anew", path.display())]
+    Changed {
+        /// The file.
+        path: PathBuf,
+    },
     /// The operating system refused a write.
     #[error("cannot write {}: {source}", path.display())]
     Write {

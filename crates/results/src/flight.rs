@@ -1,5 +1,7 @@
 //! How long the web hangs in the air: the spell about its apex.
 
+use serde::{Deserialize, Serialize};
+
 use crate::spell::Spells;
 use crate::summary::Flight;
 
@@ -7,7 +9,7 @@ use crate::summary::Flight;
 const HANGING: f64 = 0.95;
 
 /// Follows the height of the web's centre of mass.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FlightMeasures {
     heights: Vec<(f64, f64)>,
 }

@@ -1,8 +1,10 @@
 //! The result folder: written aside, swapped in when complete.
 //!
-//! A run writes into a hidden folder beside its target; [`ResultFolder::publish`] puts that in the target's place. So a
-//! reader sees the old result or the new one, never a mixture, and a run that is interrupted leaves the old one as it
-//! was. A run that failed publishes what it computed in the same way, with `finished: false` in its summary.
+//! A run writes into a folder beside its target; [`ResultFolder::publish`] puts that in the target's place. So a reader
+//! sees the old result or the new one, never a mixture. A run that failed publishes what it computed in the same way,
+//! with `finished: false` in its summary. What takes seconds is written into a hidden folder of which nothing is left
+//! if it does not come to its end; a run is written into a visible one, `<target>.running`, that outlasts a crash and
+//! from which the run can go on (`running.rs`).
 //!
 //! A folder that netcast wrote (its manifest says so) is replaced as a whole; one that holds anything else is refused.
 
@@ -10,7 +12,8 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-use crate::{Manifest, ResultError};
+use crate::running::{self, Lock};
+use crate::{Manifest, ResultError, stream, whole};
 
 /// The scenario as resolved, with the files it names.
 pub const INPUTS: &str = "inputs";
@@ -31,14 +34,38 @@ pub const PICTURES: &str = "pictures";
 /// Who ran what, where and when.
 pub const MANIFEST: &str = "manifest.json";
 
-/// All that a result folder may hold of ours, the folders of a comparison's designs apart.
-pub const OURS: [&str; 9] = [INPUTS, SUMMARY, SUMMARY_CSV, HISTORY, FIELDS, LANDMARKS, REPORT, PICTURES, MANIFEST];
+/// The run as it stands, where it did not end.
+pub const CHECKPOINT: &str = "checkpoint";
+/// The fields of a run that is under way.
+pub const FIELDS_PART: &str = "fields.part";
+/// What marks the folder of a run that is under way, and keeps other runs out.
+pub const LOCK: &str = "lock";
 
-/// A result folder in the making. Dropped before [`publish`](Self::publish), it leaves nothing behind.
+/// All that a result folder may hold of ours, the folders of a comparison's designs apart.
+pub const OURS: [&str; 12] = [
+    INPUTS,
+    SUMMARY,
+    SUMMARY_CSV,
+    HISTORY,
+    FIELDS,
+    LANDMARKS,
+    REPORT,
+    PICTURES,
+    MANIFEST,
+    CHECKPOINT,
+    FIELDS_PART,
+    LOCK,
+];
+
+/// A result folder in the making. Dropped before [`publish`](Self::publish), it leaves nothing behind, unless it was
+/// said to [`keep`](Self::keep) what it has.
 #[derive(Debug)]
 pub struct ResultFolder {
     target: PathBuf,
     aside: PathBuf,
+    /// Held where the folder is that of a run.
+    lock: Option<Lock>,
+    kept: bool,
 }
 
 impl ResultFolder {
@@ -54,7 +81,77 @@ impl ResultFolder {
         let aside = unused_beside(&target, "new");
         let made = fs::create_dir_all(parent).and_then(|()| fs::create_dir(&aside));
         made.map_err(|source| ResultError::TargetUnwritable { path: target.clone(), source })?;
-        Ok(Self { target, aside })
+        Ok(Self { target, aside, lock: None, kept: false })
+    }
+
+    /// Makes `<target>.running`, or takes it over from a run that died before its first checkpoint.
+    ///
+    /// # Errors
+    /// Those of [`create`](Self::create), with nothing written; [`ResultError::InUse`] where another run is at work
+    /// there, [`ResultError::LeftBehind`] where one left a checkpoint there.
+    pub fn running(target: &Path) -> Result<Self, ResultError> {
+        let target = resolve(target)?;
+        require_replaceable(&target)?;
+        let (aside, lock) = running::claim(&target)?;
+        if aside.join(CHECKPOINT).exists() {
+            return Err(ResultError::LeftBehind { path: aside });
+        }
+        running::clear(&aside)?;
+        Ok(Self { target, aside, lock: Some(lock), kept: false })
+    }
+
+    /// Makes the folder of a run that goes on from where an earlier one with this target stopped or died, with its
+    /// checkpoint in it; without one where it died before its first. `agrees` is asked first whether the run is the
+    /// same, with the folder that it left.
+    ///
+    /// # Errors
+    /// Those of [`running`](Self::running) and of `agrees`, [`ResultError::NothingToResume`]; what the earlier run left
+    /// is then as it was.
+    pub fn resuming<E: From<ResultError>>(target: &Path, agrees: impl Fn(&Path) -> Result<(), E>) -> Result<Self, E> {
+        let target = resolve(target)?;
+        require_replaceable(&target)?;
+        let aside = running::beside(&target);
+        let left = [&aside, &target].into_iter().find(|path| path.join(CHECKPOINT).exists()).cloned();
+        let existed = aside.exists();
+        if left.is_none() && !existed {
+            let what = match target.exists() {
+                true => "holds no checkpoint: its run came to its end, or failed for good",
+                false => "does not exist",
+            };
+            return Err(ResultError::NothingToResume { path: target, what }.into());
+        }
+        let (aside, lock) = running::claim(&target)?;
+        let mut folder = Self { target, aside, lock: Some(lock), kept: existed };
+        let Some(left) = left else {
+            running::clear(&folder.aside)?;
+            folder.kept = false;
+            return Ok(folder);
+        };
+        agrees(&left)?;
+        if left == folder.aside {
+            // what was made of it since to be looked at is not of the run that goes on
+            running::forget(&folder.aside, &[SUMMARY, FIELDS, REPORT, PICTURES])?;
+        } else {
+            running::clear(&folder.aside)?;
+            folder.kept = false;
+            stream::bring_back(&left, &folder.aside)?;
+            let (from, to) = (left.join(CHECKPOINT), folder.aside.join(CHECKPOINT));
+            fs::copy(&from, &to).map_err(ResultError::write(&to))?;
+        }
+        Ok(folder)
+    }
+
+    /// From now on the folder stays where it is when it is dropped, whatever happens: what is in it took time.
+    pub fn keep(&mut self) {
+        self.kept = true;
+    }
+
+    /// Removes the checkpoint, where there is one: this run is not to go on.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn forget_checkpoint(&self) -> Result<(), ResultError> {
+        running::forget(&self.aside, &[CHECKPOINT])
     }
 
     /// Where to write until the folder is published.
@@ -71,9 +168,19 @@ impl ResultFolder {
     ///
     /// # Errors
     /// Those of [`create`](Self::create), since the target may have changed meanwhile. The old result then still stands
-    /// and the new one is removed.
-    pub fn publish(self) -> Result<PathBuf, ResultError> {
+    /// and the new one is removed, unless it was to be kept.
+    pub fn publish(mut self) -> Result<PathBuf, ResultError> {
         require_replaceable(&self.target)?;
+        if let Some(lock) = self.lock.take() {
+            lock.release()?;
+        }
+        whole::sync_all(&self.aside)?;
+        let target = self.swap_in()?;
+        whole::sync_folder(target.parent().unwrap_or(&target));
+        Ok(target)
+    }
+
+    fn swap_in(&self) -> Result<PathBuf, ResultError> {
         if !self.target.exists() {
             fs::rename(&self.aside, &self.target).map_err(ResultError::write(&self.target))?;
             return Ok(self.target.clone());
@@ -94,7 +201,9 @@ impl ResultFolder {
 impl Drop for ResultFolder {
     fn drop(&mut self) {
         // after publishing there is nothing here; a destructor has nobody to tell of a failure
-        let _ = fs::remove_dir_all(&self.aside);
+        if !self.kept {
+            let _ = fs::remove_dir_all(&self.aside);
+        }
     }
 }
 

@@ -103,8 +103,7 @@ impl History {
         let mut writer = csv::Writer::from_path(path).map_err(ResultError::csv(path))?;
         writer.write_record(&self.columns).map_err(ResultError::csv(path))?;
         for row in &self.rows {
-            let cells = row.iter().map(|cell| cell.map(decimal).unwrap_or_default());
-            writer.write_record(cells).map_err(ResultError::csv(path))?;
+            writer.write_record(cells(row)).map_err(ResultError::csv(path))?;
         }
         writer.flush().map_err(ResultError::write(path))
     }
@@ -132,6 +131,11 @@ impl History {
         }
         Ok(history)
     }
+}
+
+/// The cells of a row as they stand in the file.
+pub(crate) fn cells(row: &[Option<f64>]) -> impl Iterator<Item = String> {
+    row.iter().map(|cell| cell.map(decimal).unwrap_or_default())
 }
 
 /// The shortest decimal that reads back to the same bits, with an exponent only below 1e-5 and from 1e16 on.

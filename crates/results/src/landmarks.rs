@@ -10,7 +10,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::ResultError;
-use crate::measures::{mean, vector_area};
+use crate::measures::{mean, posture, vector_area};
 
 /// What is followed under one name: a point, or a group of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -180,6 +180,20 @@ impl Landmarks {
     pub fn outline_area(&self, position: impl Fn(usize) -> DVec3) -> Option<DVec3> {
         let vertices = self.outline.iter().map(|nodes| mean(nodes, &position));
         (!self.outline.is_empty()).then(|| vector_area(vertices))
+    }
+
+    /// Vector area of the outline, m^2, and the mean of its vertices, m; there must be an outline.
+    pub fn outline_area_and_middle(&self, position: impl Fn(usize) -> DVec3) -> (DVec3, DVec3) {
+        let mut sum = DVec3::ZERO;
+        let vertices = self.outline.iter().map(|nodes| mean(nodes, &position)).inspect(|vertex| sum += *vertex);
+        let area = vector_area(vertices);
+        (area, sum / self.outline.len() as f64)
+    }
+
+    /// How far the middle leads the outline; see [`posture`].
+    pub fn posture(&self, position: impl Fn(usize) -> DVec3) -> Option<f64> {
+        let (_, rim) = (!self.outline.is_empty()).then(|| self.outline_area_and_middle(&position))?;
+        posture(self, rim, mean(&self.centre, position))
     }
 
     /// Area of the tractors' polygon along the axis, m^2; none where they make none.

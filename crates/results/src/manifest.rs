@@ -3,6 +3,7 @@
 //! Everything here may differ between two runs of the same scenario; everything that must not differ is elsewhere. The
 //! manifest is also the mark by which netcast knows a folder of its own.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -145,13 +146,27 @@ pub fn hash_inputs(folder: &Path) -> Result<String, ResultError> {
     files.sort();
     let mut hasher = Sha256::new();
     for (name, path) in files {
-        let content = fs::read(&path).map_err(ResultError::read(&path))?;
-        for part in [name.as_bytes(), &content] {
-            hasher.update((part.len() as u64).to_le_bytes());
-            hasher.update(part);
-        }
+        update(&mut hasher, &name, &fs::read(&path).map_err(ResultError::read(&path))?);
     }
-    Ok(hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+    Ok(hexadecimal(hasher))
+}
+
+/// The hash that [`hash_inputs`] gives of a folder with these files, by name and content.
+pub fn hash_files(files: &BTreeMap<String, Vec<u8>>) -> String {
+    let mut hasher = Sha256::new();
+    files.iter().for_each(|(name, content)| update(&mut hasher, name, content));
+    hexadecimal(hasher)
+}
+
+fn update(hasher: &mut Sha256, name: &str, content: &[u8]) {
+    for part in [name.as_bytes(), content] {
+        hasher.update((part.len() as u64).to_le_bytes());
+        hasher.update(part);
+    }
+}
+
+fn hexadecimal(hasher: Sha256) -> String {
+    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn collect_files(folder: &Path, prefix: &str, files: &mut Vec<(String, PathBuf)>) -> Result<(), ResultError> {
@@ -208,6 +223,8 @@ mod tests {
         let written = hash(&[("scenario.toml", "a"), ("deep/nodes.csv", "b")]);
         assert_eq!(written.len(), 64);
         assert_eq!(written, hash(&[("deep/nodes.csv", "b"), ("scenario.toml", "a")]));
+        let files = [("scenario.toml", "a"), ("deep/nodes.csv", "b")];
+        assert_eq!(written, hash_files(&files.map(|(name, content)| (name.to_owned(), content.into())).into()));
         assert_ne!(written, hash(&[("scenario.toml", "b"), ("deep/nodes.csv", "a")]));
         assert_ne!(written, hash(&[("scenario.toml", "a"), ("deep/ropes.csv", "b")]));
         // an empty folder hashes nothing at all: the value published with SHA-256

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use netcast_dynamics::simulate::Live;
+use serde::{Deserialize, Serialize};
 
 use crate::landmarks::{Group, Landmarks};
 use crate::spell::Spells;
@@ -21,7 +22,7 @@ const POSTURE: f64 = 0.02;
 const STARTED: f64 = 0.01;
 
 /// A largest value and its time.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Peak(Option<(f64, f64)>);
 
 impl Peak {
@@ -68,16 +69,15 @@ pub fn mean(nodes: &[usize], of: impl Fn(usize) -> DVec3) -> DVec3 {
 
 /// How far the middle leads the outline along the axis, over the square root of the reference area, both from the
 /// flat web.
-pub fn posture(landmarks: &Landmarks, position: &dyn Fn(usize) -> DVec3) -> Option<f64> {
+/// `rim` is the mean of the outline's vertices, `centre` the middle's place, m.
+pub fn posture(landmarks: &Landmarks, rim: DVec3, centre: DVec3) -> Option<f64> {
     let size = landmarks.reference_area?.sqrt();
-    let count = landmarks.outline.len() as f64;
-    let rim = landmarks.outline.iter().map(|nodes| mean(nodes, position)).sum::<DVec3>() / count;
-    let lead = (mean(&landmarks.centre, position) - rim).dot(landmarks.axis) - landmarks.flat_posture;
+    let lead = (centre - rim).dot(landmarks.axis) - landmarks.flat_posture;
     (size > 0.0).then(|| lead / size)
 }
 
 /// Extremes of one landmark.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct PointMeasures {
     start: DVec3,
     speed: Peak,
@@ -89,8 +89,8 @@ struct PointMeasures {
 }
 
 /// Everything that is measured at every step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
-    landmarks: Landmarks,
     points: Vec<PointMeasures>,
     area: Peak,
     vector_area: Peak,
@@ -108,7 +108,7 @@ pub struct Measures {
 
 impl Measures {
     /// Starts measuring at `position`s of time 0.
-    pub fn new(landmarks: Landmarks, position: &[DVec3]) -> Measures {
+    pub fn new(landmarks: &Landmarks, position: &[DVec3]) -> Measures {
         let at = |node: usize| position[node];
         let points = landmarks
             .points
@@ -124,7 +124,6 @@ impl Measures {
         let groups = vec![Peak::default(); landmarks.groups.len()];
         let largest = vec![0.0; landmarks.groups.len()];
         let mut measures = Measures {
-            landmarks,
             points,
             area: Peak::default(),
             vector_area: Peak::default(),
@@ -138,38 +137,46 @@ impl Measures {
             bottom_integral: 0.0,
             bottom_integral_at_area_max: 0.0,
         };
-        measures.shape(0.0, &at);
+        measures.shape(landmarks, 0.0, at);
         measures
     }
 
-    /// Travel of landmark `index` at `position`, m.
-    pub fn travel(&self, index: usize, position: DVec3) -> f64 {
-        (position - self.points[index].start).dot(self.landmarks.axis)
+    /// Whether these are measures of a web with such landmarks.
+    pub fn fit(&self, landmarks: &Landmarks) -> bool {
+        let groups = landmarks.groups.len();
+        self.points.len() == landmarks.points.len() && self.groups.len() == groups && self.largest.len() == groups
     }
 
-    /// What is measured.
-    pub fn landmarks(&self) -> &Landmarks {
-        &self.landmarks
+    /// Displacement of landmark `index` since launch, m, now that it is at `position`.
+    pub fn displacement(&self, index: usize, position: DVec3) -> DVec3 {
+        position - self.points[index].start
     }
 
     /// Takes a step into account.
-    pub fn step(&mut self, live: &Live) {
+    pub fn step(&mut self, landmarks: &Landmarks, live: &Live) {
         live.net.largest_tensions(&mut self.largest);
         for (peak, &tension) in self.groups.iter_mut().zip(&self.largest) {
             peak.add(live.tension_time, tension);
         }
-        if !self.landmarks.bottom.is_empty() {
-            self.bottom(live.tension_time, live.dt, &|segment| live.net.tension(segment));
+        if !landmarks.bottom.is_empty() {
+            self.bottom(&landmarks.bottom, live.tension_time, live.dt, &|segment| live.net.tension(segment));
         }
-        for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
+        for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
             point.speed.add(live.velocity_time, landmark.speed(|n| live.net.half_step_velocity(n)));
         }
-        self.shape(live.position_time, &|node| live.net.position(node));
+        self.shape(landmarks, live.position_time, |node| live.net.position(node));
     }
 
     /// Takes the state at launch or at the end into account, of which [`Measures::step`] sees only a part.
-    pub fn ends(&mut self, time: f64, velocity: &[DVec3], tension: &[f64], group_of: &dyn Fn(usize) -> usize) {
-        for (point, landmark) in self.points.iter_mut().zip(&self.landmarks.points) {
+    pub fn ends(
+        &mut self,
+        landmarks: &Landmarks,
+        time: f64,
+        velocity: &[DVec3],
+        tension: &[f64],
+        group_of: &dyn Fn(usize) -> usize,
+    ) {
+        for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
             point.speed.add(time, landmark.speed(|n| velocity[n]));
         }
         for (segment, &tension) in tension.iter().enumerate() {
@@ -177,21 +184,22 @@ impl Measures {
         }
     }
 
-    fn bottom(&mut self, time: f64, dt: f64, tension: &dyn Fn(usize) -> f64) {
+    fn bottom(&mut self, segments: &[usize], time: f64, dt: f64, tension: &dyn Fn(usize) -> f64) {
         let mut sum = 0.0;
-        for &segment in &self.landmarks.bottom {
+        for &segment in segments {
             let tension = tension(segment);
             self.bottom.add(time, tension);
             sum += tension;
         }
-        let mean = sum / self.landmarks.bottom.len() as f64;
+        let mean = sum / segments.len() as f64;
         self.bottom_integral += if mean.is_finite() { dt * mean } else { 0.0 };
     }
 
     /// All that follows from positions alone.
-    fn shape(&mut self, time: f64, position: &dyn Fn(usize) -> DVec3) {
-        let (landmarks, axis) = (&self.landmarks, self.landmarks.axis);
-        if let Some(area) = landmarks.outline_area(position) {
+    fn shape(&mut self, landmarks: &Landmarks, time: f64, position: impl Fn(usize) -> DVec3 + Copy) {
+        let axis = landmarks.axis;
+        if !landmarks.outline.is_empty() {
+            let (area, rim) = landmarks.outline_area_and_middle(position);
             let along = area.dot(axis).abs();
             if self.area.add(time, along) {
                 self.bottom_integral_at_area_max = self.bottom_integral;
@@ -200,7 +208,7 @@ impl Measures {
             if let Some(reference) = landmarks.reference_area {
                 self.effective.add(time, along - EFFECTIVE * reference);
             }
-            if let Some(p) = posture(landmarks, position) {
+            if let Some(p) = posture(landmarks, rim, mean(&landmarks.centre, position)) {
                 self.concave.add(time, -POSTURE - p);
                 self.convex.add(time, p - POSTURE);
             }
@@ -219,23 +227,23 @@ impl Measures {
     }
 
     /// The summary's parts: opening, points, tension, posture.
-    pub fn finish(self) -> (Opening, BTreeMap<String, Option<PointExtremes>>, Tension, Posture) {
+    pub fn finish(self, landmarks: &Landmarks) -> (Opening, BTreeMap<String, Option<PointExtremes>>, Tension, Posture) {
         let (effective, duration) = self.effective.clone().finish();
         let opening = Opening {
             area_max_m2: self.area.value(),
             area_max_time_s: self.area.time(),
-            reference_area_m2: self.landmarks.reference_area,
+            reference_area_m2: landmarks.reference_area,
             vector_area_max_m2: self.vector_area.value(),
             effective_from_s: effective.map(|(from, _)| from),
             effective_to_s: effective.map(|(_, to)| to),
-            effective_duration_s: self.landmarks.reference_area.map(|_| duration),
+            effective_duration_s: landmarks.reference_area.map(|_| duration),
             tractor_area_max_m2: self.tractor_area.value(),
             tractor_area_max_time_s: self.tractor_area.time(),
             // taken at record times, elsewhere
             shadow_area_max_m2: None,
             shadow_area_max_time_s: None,
         };
-        let tension = self.tension();
+        let tension = self.tension(landmarks);
         let convex_from_s = self.convex.first();
         let (concave, _) = self.concave.finish();
         let posture = Posture {
@@ -246,16 +254,16 @@ impl Measures {
 
         let mut points: BTreeMap<String, Option<PointExtremes>> =
             ["A", "B", "C", "D", "tractor", "corner", "centre"].map(|name| (name.to_owned(), None)).into();
-        for (point, landmark) in self.points.into_iter().zip(self.landmarks.points) {
-            points.insert(landmark.name, Some(point.finish()));
+        for (point, landmark) in self.points.into_iter().zip(&landmarks.points) {
+            points.insert(landmark.name.clone(), Some(point.finish()));
         }
         (opening, points, tension, posture)
     }
 
-    fn tension(&self) -> Tension {
+    fn tension(&self, landmarks: &Landmarks) -> Tension {
         let mut tension = Tension::default();
-        for (index, class) in self.landmarks.classes.iter().enumerate() {
-            let peak = self.largest_of(|group| group.class == index);
+        for (index, class) in landmarks.classes.iter().enumerate() {
+            let peak = self.largest_of(landmarks, |group| group.class == index);
             let max_n = peak.value().unwrap_or(0.0);
             let pulled = max_n > 0.0;
             let max_time_s = peak.time().filter(|_| pulled);
@@ -267,28 +275,28 @@ impl Measures {
             }
         }
         tension.bottom_max_n = self.bottom.value();
-        tension.bottom_mean_n = self.bottom_mean();
+        tension.bottom_mean_n = self.bottom_mean(landmarks);
         tension
     }
 
     /// The largest tension of a kind of rope, N, its time, s, and the link class where it occurred.
-    pub fn largest_in_rope(&self, rope: usize) -> Largest<'_> {
-        let groups = self.landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| group.rope == Some(rope));
+    pub fn largest_in_rope<'l>(&self, landmarks: &'l Landmarks, rope: usize) -> Largest<'l> {
+        let groups = landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| group.rope == Some(rope));
         let peaks = groups.filter_map(|(group, peak)| Some((group.class, peak.0?)));
         let (class, (tension, time)) = peaks.reduce(|one, other| if other.1.0 > one.1.0 { other } else { one })?;
-        Some((tension, time, &self.landmarks.classes[class].name))
+        Some((tension, time, &landmarks.classes[class].name))
     }
 
     /// The largest tension of some groups; the first of equals.
-    fn largest_of(&self, belongs: impl Fn(&Group) -> bool) -> Peak {
-        let groups = self.landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| belongs(group));
+    fn largest_of(&self, landmarks: &Landmarks, belongs: impl Fn(&Group) -> bool) -> Peak {
+        let groups = landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| belongs(group));
         let peaks = groups.filter_map(|(_, peak)| peak.0);
         Peak(peaks.reduce(|one, other| if other.0 > one.0 { other } else { one }))
     }
 
     /// Mean bottom tension from B's start to the time of the largest area, N.
-    fn bottom_mean(&self) -> Option<f64> {
-        let b = self.landmarks.points.iter().position(|p| p.name == "B")?;
+    fn bottom_mean(&self, landmarks: &Landmarks) -> Option<f64> {
+        let b = landmarks.points.iter().position(|p| p.name == "B")?;
         let (start, _, integral_at_start) = self.points[b].start_of_motion()?;
         let end = self.area.time()?;
         (end > start).then(|| (self.bottom_integral_at_area_max - integral_at_start) / (end - start))

@@ -1,10 +1,11 @@
 //! What is measured at record times only, because it takes the whole web: the silhouette, the mouth, the flight.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::flight::FlightMeasures;
 use crate::landmarks::Landmarks;
-use crate::measures::{EFFECTIVE, Peak, mean, posture};
+use crate::measures::{EFFECTIVE, Peak, mean};
 use crate::mouth::Mouth;
 use crate::silhouette::{Silhouette, View};
 use crate::spell::Spells;
@@ -22,7 +23,7 @@ pub struct Moment {
     pub target_coverage: Option<f64>,
     /// How the mouth stands.
     pub mouth: Mouth,
-    /// How far the middle leads the outline; see [`posture`].
+    /// How far the middle leads the outline; see [`crate::measures::posture`].
     pub posture: Option<f64>,
     /// Displacement of the web's centre of mass along the axis since launch, m.
     pub mass_centre_travel: f64,
@@ -57,10 +58,9 @@ impl Moment {
 }
 
 /// Takes the moments of a run in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MomentMeasures {
-    view: View,
-    /// Mass of each node, kg; zero for tractors.
-    mass: Vec<f64>,
+    /// The centre of mass at time 0, m.
     start: DVec3,
     shadow_area: Peak,
     coverage: Peak,
@@ -74,12 +74,9 @@ pub struct MomentMeasures {
 
 impl MomentMeasures {
     /// Starts at `position`s of time 0; `mass` is that of each node, kg, and zero for tractors.
-    pub fn new(landmarks: &Landmarks, mass: Vec<f64>, position: &[DVec3]) -> MomentMeasures {
-        let start = mass_centre(&mass, position);
+    pub fn new(mass: &[f64], position: &[DVec3]) -> MomentMeasures {
         MomentMeasures {
-            view: View::along(landmarks.axis),
-            mass,
-            start,
+            start: mass_centre(mass, position),
             shadow_area: Peak::default(),
             coverage: Peak::default(),
             covered: Spells::default(),
@@ -91,20 +88,21 @@ impl MomentMeasures {
         }
     }
 
-    /// Measures the web at a record time.
-    pub fn add(&mut self, landmarks: &Landmarks, time: f64, position: &[DVec3]) -> Moment {
+    /// Measures the web at a record time; `mass` is that of each node, kg, and zero for tractors.
+    pub fn add(&mut self, landmarks: &Landmarks, mass: &[f64], time: f64, position: &[DVec3]) -> Moment {
         let at = |node: usize| position[node];
-        let silhouette = Silhouette::new(&self.view, &landmarks.cells, at);
+        let view = View::along(landmarks.axis);
+        let silhouette = Silhouette::new(&view, &landmarks.cells, at);
         let coverage = silhouette
             .as_ref()
             .zip(landmarks.target_diameter)
-            .map(|(silhouette, diameter)| silhouette.coverage(self.view.project(middle_of(landmarks, at)), diameter));
-        let mass_centre = mass_centre(&self.mass, position);
+            .map(|(silhouette, diameter)| silhouette.coverage(view.project(middle_of(landmarks, at)), diameter));
+        let mass_centre = mass_centre(mass, position);
         let moment = Moment {
             shadow_area: silhouette.map(|silhouette| silhouette.area()),
             target_coverage: coverage,
             mouth: Mouth::new(landmarks, at),
-            posture: posture(landmarks, &at),
+            posture: landmarks.posture(at),
             mass_centre_travel: (mass_centre - self.start).dot(landmarks.axis),
             mass_centre_height: mass_centre.z,
         };

@@ -1,6 +1,7 @@
 //! The mouth of the web: how it leans and how evenly its corners stand.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::landmarks::Landmarks;
 use crate::measures::mean;
@@ -9,7 +10,7 @@ use crate::measures::mean;
 const FACES_NOWHERE: f64 = 0.01;
 
 /// The mouth at one time.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Mouth {
     /// Angle between the outline's vector area and the launch axis, rad: 0 where the mouth faces along the axis, pi/2
     /// where it stands edge on. None while the outline is nearly closed.

@@ -1,43 +1,81 @@
-//! The observer that turns a run into results: measures at every step, rows and frames at record times.
+//! The observer that turns a run into results: measures at every step, rows and frames at record times. Rows and frames
+//! go to the disk as they come; the measures are few, and are kept in checkpoints.
 
-use std::path::Path;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use glam::DVec3;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome};
+use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::System;
+use serde::{Deserialize, Serialize};
 
+use crate::checkpoint::{Checkpoint, CheckpointEvery};
 use crate::landmarks::Landmarks;
 use crate::measures::{Measures, mean};
 use crate::moments::{Moment, MomentMeasures};
+use crate::stream::Stream;
 use crate::summary::{Energy, Flight, Mouth, Opening, PointExtremes, Posture, Target, Tension};
 use crate::utilisation::RopeMeasures;
-use crate::{FieldsTopology, FieldsWriter, History, ResultError, folder, history};
+use crate::{FieldsTopology, ResultError, folder, history};
 
 /// What is told of a run's progress at every record time: (time reached, s).
-pub type Progress<'p> = dyn FnMut(f64) + 'p;
+pub type Progress<'p> = dyn FnMut(f64) + Send + 'p;
 
 /// Records a run.
 pub struct Recorder<'r> {
-    measures: Measures,
-    history: History,
-    fields: FieldsWriter,
-    moments: MomentMeasures,
-    ropes: RopeMeasures,
+    landmarks: Landmarks,
+    /// Mass of each node, kg; zero for tractors.
+    web_mass: Vec<f64>,
+    /// The class of each segment in the system.
     groups: Vec<usize>,
     fields_every: u64,
-    rows: u64,
-    last_residual: f64,
+    columns: Vec<String>,
+    topology: FieldsTopology,
+    measured: Measured,
+    kept: Option<Kept>,
     progress: &'r mut Progress<'r>,
-    interrupted: &'r dyn Fn() -> bool,
+    interrupted: &'r (dyn Fn() -> bool + Sync),
     error: Option<ResultError>,
+}
+
+/// All that has been measured of a run so far: what a later record or the end of the run depends on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Measured {
+    at_steps: Measures,
+    at_records: MomentMeasures,
+    ropes: RopeMeasures,
+    rows: u64,
+    last_time: f64,
+    last_residual: f64,
+}
+
+/// How a run is checkpointed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checkpoints {
+    /// How often.
+    pub every: CheckpointEvery,
+    /// What the inputs are known by; see [`crate::manifest::hash_inputs`].
+    pub input_hash: String,
+    /// Time on the clock that the run had taken before this program took it over.
+    pub wall_time_before: Duration,
+    /// When this program took it over.
+    pub clock: Instant,
+}
+
+/// What of a run is on the disk while it goes on.
+struct Kept {
+    stream: Stream,
+    checkpoints: Checkpoints,
+    checkpoint: PathBuf,
+    /// Time simulated, s, and time on the clock at the last checkpoint.
+    last: (f64, Instant),
 }
 
 /// What a run comes to.
 pub struct Recording {
-    /// One row a record step.
-    pub history: History,
-    fields: FieldsWriter,
     /// How far the web opened.
     pub opening: Opening,
     /// Extremes of the landmarks.
@@ -57,8 +95,9 @@ pub struct Recording {
 }
 
 impl<'r> Recorder<'r> {
-    /// A recorder of `system` from `state` on. Fields are kept at every `fields_every`-th record.
-    /// `progress` hears of every record; the run stops at the next one once `interrupted` says so.
+    /// A recorder of `system` from `state` on, that measures. With [`Recorder::keep_in`] it writes as well, fields at
+    /// every `fields_every`-th record. `progress` hears of every record; the run stops at the next one once
+    /// `interrupted` says so.
     ///
     /// # Errors
     /// [`ResultError::Length`] where `landmarks` do not fit the system.
@@ -68,7 +107,7 @@ impl<'r> Recorder<'r> {
         landmarks: Landmarks,
         fields_every: u64,
         progress: &'r mut Progress<'r>,
-        interrupted: &'r dyn Fn() -> bool,
+        interrupted: &'r (dyn Fn() -> bool + Sync),
     ) -> Result<Recorder<'r>, ResultError> {
         ResultError::length("groups of segments", system.class_count(), landmarks.groups.len())?;
         let groups: Vec<usize> = system.segments().iter().map(|s| s.class).collect();
@@ -86,32 +125,70 @@ impl<'r> Recorder<'r> {
             labels: labels.collect(),
         };
         let of_web = system.mass().iter().zip(system.tractor());
-        let web_mass = of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect();
-        Ok(Recorder {
-            history: History::new(history::columns(&point_names, &class_names, &channels)),
-            fields: FieldsWriter::new(topology)?,
-            moments: MomentMeasures::new(&landmarks, web_mass, &state.position),
+        let web_mass: Vec<f64> = of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect();
+        let measured = Measured {
+            at_steps: Measures::new(&landmarks, &state.position),
+            at_records: MomentMeasures::new(&web_mass, &state.position),
             ropes: RopeMeasures::new(landmarks.ropes.len()),
-            measures: Measures::new(landmarks, &state.position),
+            rows: 0,
+            last_time: 0.0,
+            last_residual: 0.0,
+        };
+        Ok(Recorder {
+            columns: history::columns(&point_names, &class_names, &channels),
+            topology,
+            measured,
+            landmarks,
+            web_mass,
             groups,
             fields_every,
-            rows: 0,
-            last_residual: 0.0,
+            kept: None,
             progress,
             interrupted,
             error: None,
         })
     }
 
+    /// Writes rows and frames into `folder` from the start of the run on, and checkpoints.
+    ///
+    /// # Errors
+    /// [`ResultError`] names the file that cannot be written.
+    pub fn keep_in(mut self, folder: &Path, checkpoints: Checkpoints) -> Result<Self, ResultError> {
+        let stream = Stream::create(folder, &self.columns, &self.topology)?;
+        self.kept = Some(Kept::new(folder, stream, checkpoints, 0.0));
+        Ok(self)
+    }
+
+    /// Goes on writing into `folder` from `checkpoint` on: the recorder of a run that is resumed from its snapshot.
+    ///
+    /// # Errors
+    /// [`ResultError::NotCheckpoint`] where it is one of another system, [`ResultError::Changed`] where the files in
+    /// `folder` are no longer those of the checkpoint.
+    pub fn go_on_in(
+        mut self,
+        folder: &Path,
+        checkpoints: Checkpoints,
+        checkpoint: &Checkpoint,
+    ) -> Result<Self, ResultError> {
+        if !checkpoint.measured.fit(&self.landmarks) {
+            return Err(ResultError::NotCheckpoint { path: folder.join(folder::CHECKPOINT) });
+        }
+        let stream = Stream::reopen(folder, checkpoint.written)?;
+        self.measured = checkpoint.measured.clone().into_owned();
+        self.kept = Some(Kept::new(folder, stream, checkpoints, checkpoint.time_s));
+        Ok(self)
+    }
+
     /// One row of the history, in the order of [`history::columns`].
     fn row(&self, frame: &Frame, moment: &Moment) -> Vec<Option<f64>> {
-        let landmarks = self.measures.landmarks();
+        let landmarks = &self.landmarks;
         let at = |node: usize| frame.position[node];
+        let travel = |index: usize, place: DVec3| self.measured.at_steps.displacement(index, place).dot(landmarks.axis);
         let axis = landmarks.axis;
         let outline = landmarks.outline_area(at);
         let travel_of = |name: &str| {
             let index = landmarks.points.iter().position(|p| p.name == name)?;
-            Some(self.measures.travel(index, mean(&landmarks.points[index].nodes, at)))
+            Some(travel(index, mean(&landmarks.points[index].nodes, at)))
         };
         let per_class = self.class_tensions(frame.tension);
         let rope_max = landmarks.classes.iter().zip(&per_class).filter(|(c, _)| c.is_rope).map(|(_, t)| t.1);
@@ -131,7 +208,7 @@ impl<'r> Recorder<'r> {
             row.extend([place.x, place.y, place.z].map(Some));
             // the mean travel of tractors and corners stands in the common columns already
             if !["tractor", "corner", "centre"].contains(&&point.name[..]) {
-                row.push(Some(self.measures.travel(index, place)));
+                row.push(Some(travel(index, place)));
             }
             row.push(Some(point.speed(|n| frame.velocity[n])));
             row.push(point.segments.iter().map(|&s| frame.tension[s]).reduce(f64::max));
@@ -146,7 +223,7 @@ impl<'r> Recorder<'r> {
 
     /// (mean, largest) tension of each class, N.
     fn class_tensions(&self, tension: &[f64]) -> Vec<(f64, f64)> {
-        let landmarks = self.measures.landmarks();
+        let landmarks = &self.landmarks;
         let mut sums = vec![(0.0, 0.0, 0.0); landmarks.classes.len()];
         for (&tension, &group) in tension.iter().zip(&self.groups) {
             let (sum, count, max) = &mut sums[landmarks.groups[group].class];
@@ -155,8 +232,18 @@ impl<'r> Recorder<'r> {
         sums.into_iter().map(|(sum, count, max)| (sum / f64::max(count, 1.0), max)).collect()
     }
 
-    /// Ends the recording with how the run ended. `tolerance` is what the balance was asked to reach, closure and
-    /// closure of the web.
+    /// Writes down a record.
+    fn keep(&mut self, frame: &Frame, row: &[Option<f64>]) -> Result<(), ResultError> {
+        let Some(Kept { stream, .. }) = &mut self.kept else { return Ok(()) };
+        stream.row(row)?;
+        if self.measured.rows.is_multiple_of(self.fields_every) {
+            stream.fields().push(frame.time, frame.position, frame.velocity, frame.tension)?;
+        }
+        stream.keep_up()
+    }
+
+    /// Ends the recording with how the run ended, and closes its files. `tolerance` is what the balance was asked to
+    /// reach, closure and closure of the web.
     ///
     /// # Errors
     /// The first one that came up while recording.
@@ -164,11 +251,15 @@ impl<'r> Recorder<'r> {
         if let Some(error) = self.error {
             return Err(error);
         }
-        let landmarks = self.measures.landmarks();
-        let by_rope = self.ropes.finish(landmarks, |rope| self.measures.largest_in_rope(rope));
-        let shadow = self.moments.shadow_area();
-        let (mouth, target, flight) = self.moments.finish(landmarks);
-        let (mut opening, points, mut tension, posture) = self.measures.finish();
+        if let Some(kept) = self.kept {
+            kept.stream.finish()?;
+        }
+        let landmarks = &self.landmarks;
+        let Measured { at_steps, at_records, ropes, rows: _, last_time: _, last_residual } = self.measured;
+        let by_rope = ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope));
+        let shadow = at_records.shadow_area();
+        let (mouth, target, flight) = at_records.finish(landmarks);
+        let (mut opening, points, mut tension, posture) = at_steps.finish(landmarks);
         (opening.shadow_area_max_m2, opening.shadow_area_max_time_s) = (shadow.value(), shadow.time());
         tension.by_rope = by_rope;
         let (ledger, balance) = (outcome.ledger, outcome.balance);
@@ -179,52 +270,98 @@ impl<'r> Recorder<'r> {
             closure: balance.closure(),
             closure_web: Some(balance.closure_web()),
             channels: ledger.channels().into_iter().map(|(name, energy)| (name.to_owned(), energy)).collect(),
-            residual_j: self.last_residual,
+            residual_j: last_residual,
             largest_residual_j: balance.largest_residual(),
             tolerance: tolerance.0,
             tolerance_web: tolerance.1,
         };
-        let (history, fields) = (self.history, self.fields);
-        Ok(Recording { history, fields, opening, points, tension, posture, mouth, target, flight, energy })
+        Ok(Recording { opening, points, tension, posture, mouth, target, flight, energy })
     }
 }
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, live: &Live) {
-        self.measures.step(live);
+        self.measured.at_steps.step(&self.landmarks, live);
     }
 
     fn record(&mut self, frame: &Frame) {
-        let landmarks = self.measures.landmarks();
-        let moment = self.moments.add(landmarks, frame.time, frame.position);
-        self.ropes.add(landmarks, frame.tension, &self.groups);
-        self.measures.ends(frame.time, frame.velocity, frame.tension, &|segment| self.groups[segment]);
-        let row = self.row(frame, &moment);
-        let mut recorded = self.history.push(row);
-        if self.rows.is_multiple_of(self.fields_every) {
-            recorded =
-                recorded.and_then(|()| self.fields.push(frame.time, frame.position, frame.velocity, frame.tension));
+        let (landmarks, measured) = (&self.landmarks, &mut self.measured);
+        let moment = measured.at_records.add(landmarks, &self.web_mass, frame.time, frame.position);
+        measured.ropes.add(landmarks, frame.tension, &self.groups);
+        let group_of = |segment: usize| self.groups[segment];
+        measured.at_steps.ends(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
+        if self.kept.is_some() {
+            let row = self.row(frame, &moment);
+            let kept = self.keep(frame, &row);
+            self.remember(kept);
         }
-        self.rows += 1;
-        self.last_residual = frame.residual;
-        if let Err(error) = recorded {
-            self.error.get_or_insert(error);
-        }
+        self.measured.rows += 1;
+        self.measured.last_time = frame.time;
+        self.measured.last_residual = frame.residual;
         (self.progress)(frame.time);
     }
 
     fn interrupted(&self) -> bool {
         self.error.is_some() || (self.interrupted)()
     }
+
+    fn wants_snapshot(&mut self) -> bool {
+        self.kept.as_ref().is_some_and(|kept| kept.is_due(self.measured.last_time))
+    }
+
+    fn snapshot(&mut self, snapshot: &Snapshot) {
+        // what could not be recorded is not to be gone on from
+        if let (Some(kept), None) = (&mut self.kept, &self.error) {
+            let written = kept.write_checkpoint(snapshot, &self.measured);
+            self.remember(written);
+        }
+    }
 }
 
-impl Recording {
-    /// Writes history and fields into `to`.
-    ///
-    /// # Errors
-    /// [`ResultError`] where a file cannot be written.
-    pub fn write(self, to: &Path) -> Result<(), ResultError> {
-        self.history.write(&to.join(folder::HISTORY))?;
-        self.fields.finish(&to.join(folder::FIELDS))
+impl Recorder<'_> {
+    /// Keeps the first error, to be told at the end; the run stops at this record.
+    fn remember(&mut self, result: Result<(), ResultError>) {
+        if let Err(error) = result {
+            self.error.get_or_insert(error);
+        }
+    }
+}
+
+impl Measured {
+    /// Whether it is of a web with such landmarks.
+    fn fit(&self, landmarks: &Landmarks) -> bool {
+        self.at_steps.fit(landmarks) && self.ropes.fit(landmarks)
+    }
+}
+
+impl Kept {
+    fn new(folder: &Path, stream: Stream, checkpoints: Checkpoints, time: f64) -> Self {
+        let last = (time, checkpoints.clock);
+        Self { stream, checkpoints, checkpoint: folder.join(folder::CHECKPOINT), last }
+    }
+
+    /// Whether it is time for another checkpoint.
+    fn is_due(&self, time: f64) -> bool {
+        match self.checkpoints.every {
+            CheckpointEvery::Never => false,
+            // records fall on it only to rounding
+            CheckpointEvery::Simulated(every) => time - self.last.0 >= every * (1.0 - 1e-9),
+            CheckpointEvery::Clock(every) => self.last.1.elapsed() >= every,
+        }
+    }
+
+    fn write_checkpoint(&mut self, snapshot: &Snapshot, measured: &Measured) -> Result<(), ResultError> {
+        let Checkpoints { every: _, input_hash, wall_time_before, clock } = &self.checkpoints;
+        let checkpoint = Checkpoint {
+            time_s: measured.last_time,
+            wall_time_s: (*wall_time_before + clock.elapsed()).as_secs_f64(),
+            snapshot: Cow::Borrowed(snapshot),
+            measured: Cow::Borrowed(measured),
+            // the files reach the disk before the checkpoint that counts on them
+            written: self.stream.sync()?,
+        };
+        checkpoint.write(&self.checkpoint, input_hash)?;
+        self.last = (measured.last_time, Instant::now());
+        Ok(())
     }
 }

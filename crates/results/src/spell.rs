@@ -1,7 +1,9 @@
 //! Spells: the times during which a quantity stays beyond a threshold.
 
+use serde::{Deserialize, Serialize};
+
 /// Follows a quantity and keeps the spells in which it is at least zero; crossings are found by linear interpolation.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Spells {
     last: Option<(f64, f64)>,
     open: Option<f64>,

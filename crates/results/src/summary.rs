@@ -73,6 +73,8 @@ pub struct Step {
     pub count: u64,
     /// The stiffest or lightest place of the model, in words.
     pub limited_by: Option<String>,
+    /// What would allow a larger one, in words.
+    pub lifted_by: Option<String>,
 }
 
 /// How far the web opened, and for how long.

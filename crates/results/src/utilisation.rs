@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use crate::landmarks::Landmarks;
 use crate::summary::RopeUse;
 
 /// Tensions of each kind of rope at record times.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RopeMeasures {
     /// Smallest, sum and number of tensions, by rope.
     kinds: Vec<(f64, f64, f64)>,
@@ -19,6 +21,11 @@ impl RopeMeasures {
     /// Of so many kinds of rope.
     pub fn new(kinds: usize) -> RopeMeasures {
         RopeMeasures { kinds: vec![(f64::MAX, 0.0, 0.0); kinds] }
+    }
+
+    /// Whether these are measures of a web with such landmarks.
+    pub fn fit(&self, landmarks: &Landmarks) -> bool {
+        self.kinds.len() == landmarks.ropes.len()
     }
 
     /// The tensions of all segments at a record time, N, with the group of each.

@@ -20,6 +20,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use hdf5_pure::{AttrValue, File, FileBuilder, FinishedGroup, GroupBuilder, make_f64_type};
+use serde::{Deserialize, Serialize};
 
 use crate::ResultError;
 
@@ -30,7 +31,7 @@ const SCALAR_BYTES: usize = size_of::<f64>();
 const CELL_KINDS: [&str; 4] = ["Vertices", "Lines", "Polygons", "Strips"];
 
 /// What stays the same in every step.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FieldsTopology {
     /// Number of nodes.
     pub nodes: usize,
@@ -87,6 +88,22 @@ impl FieldsWriter {
         Ok(())
     }
 
+    /// Appends a step from its bytes in a journal; see [`crate::journal`]. Its length has been checked.
+    pub(crate) fn push_bytes(&mut self, frame: &[u8]) {
+        let (time, frame) = frame.split_at(SCALAR_BYTES);
+        let (positions, frame) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
+        let (velocities, tensions) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
+        self.times.push(f64::from_le_bytes(time.try_into().expect("split at its size")));
+        self.positions.extend_from_slice(positions);
+        self.velocities.extend_from_slice(velocities);
+        self.tensions.extend_from_slice(tensions);
+    }
+
+    /// The time of each step so far, s.
+    pub(crate) fn times(&self) -> &[f64] {
+        &self.times
+    }
+
     /// Number of steps taken in so far.
     pub fn steps(&self) -> usize {
         self.times.len()
@@ -139,7 +156,7 @@ impl FieldsWriter {
     }
 }
 
-fn append_vectors(bytes: &mut Vec<u8>, vectors: &[DVec3]) {
+pub(crate) fn append_vectors(bytes: &mut Vec<u8>, vectors: &[DVec3]) {
     bytes.extend(vectors.iter().flat_map(|vector| vector.to_array()).flat_map(f64::to_le_bytes));
 }
 
@@ -207,6 +224,27 @@ pub struct Fields {
     positions: Vec<DVec3>,
     velocities: Vec<DVec3>,
     tensions: Vec<f64>,
+}
+
+impl FieldsTopology {
+    /// What it speaks of and does not have.
+    pub(crate) fn fault(&self) -> Option<String> {
+        let is_missing = |node: u32| node as usize >= self.nodes;
+        let ends = self.segments.iter().flatten().copied().find(|&node| is_missing(node));
+        let label = || self.labels.iter().map(|(node, _)| *node).find(|&node| is_missing(node));
+        if let Some(node) = ends.or_else(label) {
+            return Some(format!("it names node {node} of {}", self.nodes));
+        }
+        let class = self.classes.iter().find(|&&class| class as usize >= self.class_names.len());
+        class.map(|class| format!("it names link class {class} of {}", self.class_names.len()))
+    }
+
+    /// Bytes of one step: its time, a position and a velocity a node, a tension a segment. None where that is beyond
+    /// any memory.
+    pub(crate) fn frame_bytes(&self) -> Option<usize> {
+        let nodes = self.nodes.checked_mul(2 * VECTOR_BYTES)?;
+        self.segments.len().checked_mul(SCALAR_BYTES)?.checked_add(nodes)?.checked_add(SCALAR_BYTES)
+    }
 }
 
 impl Fields {
@@ -292,16 +330,17 @@ fn vectors(file: &File, path: &str) -> Result<Vec<DVec3>, hdf5_pure::Error> {
 fn inconsistency(fields: &Fields) -> Option<String> {
     let Fields { topology, times, positions, velocities, tensions } = fields;
     let (nodes, segments, steps) = (topology.nodes, topology.segments.len(), times.len());
+    // more than fits a memory is more than there is
     let lengths = [
-        ("Points", steps * nodes, positions.len()),
-        ("velocity", steps * nodes, velocities.len()),
-        ("tension", steps * segments, tensions.len()),
+        ("Points", steps.saturating_mul(nodes), positions.len()),
+        ("velocity", steps.saturating_mul(nodes), velocities.len()),
+        ("tension", steps.saturating_mul(segments), tensions.len()),
         ("class", segments, topology.classes.len()),
     ];
-    lengths
-        .into_iter()
-        .find(|(_, expected, found)| expected != found)
-        .map(|(array, expected, found)| format!("array {array} should hold {expected} rows and holds {found}"))
+    let wrong = lengths.into_iter().find(|(_, expected, found)| expected != found);
+    let wrong =
+        wrong.map(|(array, expected, found)| format!("array {array} should hold {expected} rows and holds {found}"));
+    wrong.or_else(|| topology.fault())
 }
 
 #[cfg(test)]
@@ -356,7 +395,7 @@ mod tests {
     fn no_names_and_no_steps_are_a_file_too() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fields.vtkhdf");
-        let bare = FieldsTopology { class_names: Vec::new(), labels: Vec::new(), ..topology() };
+        let bare = FieldsTopology { nodes: 4, ..FieldsTopology::default() };
         write(&path, bare.clone(), 0);
         let fields = read_fields(&path).unwrap();
         assert_eq!(fields.topology, bare);

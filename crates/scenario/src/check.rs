@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Place};
 use crate::dimension::Kind;
 use crate::interval::Interval;
 use crate::later::is_kept_for_later;
@@ -14,11 +14,19 @@ use crate::written::Written;
 
 type Schema = Map<String, Json>;
 
+/// After so many faults the rest is only counted: it may be another kind of file.
+const MOST_FAULTS: usize = 100;
+
 /// Everything in `written` that its schema does not admit.
 pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
-    let mut check = Check { written, found: Vec::new() };
+    let mut check = Check { written, found: Vec::new(), untold: 0 };
     if let Some(root) = schema().as_object() {
         check.value(&written.tree.root, root, &Path::default());
+    }
+    if check.untold > 0 {
+        let end = written.source.text.len();
+        let place = Place::File { source: written.source.clone(), span: end..end };
+        check.found.push(Diagnostic::new("", format!("and {} more faults", check.untold), Some(place)));
     }
     check.found
 }
@@ -26,6 +34,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
 struct Check<'a> {
     written: &'a Written,
     found: Vec<Diagnostic>,
+    untold: usize,
 }
 
 impl Check<'_> {
@@ -142,6 +151,7 @@ impl Check<'_> {
             let here = path.key(&entry.key);
             match properties.get(&entry.key).and_then(Json::as_object) {
                 Some(content) => self.value(&entry.node, content, &here),
+                None if self.found.len() >= MOST_FAULTS => self.untold += 1,
                 None => {
                     meant.extend(nearest(&entry.key, &known));
                     self.unknown_key(&here, &entry.key, known.clone(), None);
@@ -164,6 +174,9 @@ impl Check<'_> {
     }
 
     fn unknown_key(&mut self, path: &Path, key: &str, known: Vec<&str>, help: Option<String>) {
+        if self.found.len() >= MOST_FAULTS {
+            return self.untold += 1;
+        }
         if is_kept_for_later(&path.to_string()) {
             let message = format!("`{path}` is not available in this version yet");
             return self.found.push(self.written.at_key(path, message));
@@ -178,6 +191,9 @@ impl Check<'_> {
     }
 
     fn at_value(&mut self, path: &Path, message: String, help: Option<String>) {
+        if self.found.len() >= MOST_FAULTS {
+            return self.untold += 1;
+        }
         self.found.push(self.written.at_value(path, message).with_help_if(help));
     }
 }

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::num::NonZeroU32;
 
-use crate::csv_table::{Cells, CsvTable};
+use crate::csv_table::{Cells, CsvTable, MOST_FAULTS};
 use crate::diagnostic::Diagnostic;
 use crate::interval::{Any, NonNegative, Positive, Within};
 use crate::nearest::nearest;
@@ -105,7 +105,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         found,
     );
     for (table, what) in [(&nodes, "no nodes"), (&ropes, "no ropes")] {
-        found.extend(table.as_ref().filter(|table| table.len() == 0).map(|table| table.whole(what)));
+        found.extend(table.as_ref().filter(|table| table.is_empty()).map(|table| table.whole(what)));
     }
     let mut ids = Ids::default();
     // a node whose row is faulty still has its id: ropes may name it
@@ -178,7 +178,8 @@ impl Ids {
         match self.0.get(id) {
             Some((_, place)) => Some(*place),
             None => {
-                cells.fault_in(column, format!("{column}: unknown node {id:?}"), self.suggest(id));
+                let help = if cells.is_told() { self.suggest(id) } else { None };
+                cells.fault_in(column, format!("{column}: unknown node {id:?}"), help);
                 None
             }
         }
@@ -191,6 +192,7 @@ impl Ids {
 
 /// Checks the nodes that the scenario itself names.
 fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
+    let mut unknown = 0;
     for list in ["web.graph.outline", "web.graph.corners", "hold.nodes", "points"] {
         let path = Path::parse(list);
         let named: Vec<_> = match written.tree.get(&path).map(|node| &node.value) {
@@ -204,8 +206,9 @@ fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
         };
         for (path, id) in named.iter().filter_map(|(path, value)| Some((path, value.as_text()?))) {
             if !ids.0.contains_key(id) {
-                let message = format!("unknown node {id:?}");
-                found.push(written.at_value(path, message).with_help_if(ids.suggest(id)));
+                unknown += 1;
+                let help = if unknown <= MOST_FAULTS { ids.suggest(id) } else { None };
+                found.push(written.at_value(path, format!("unknown node {id:?}")).with_help_if(help));
             }
         }
     }

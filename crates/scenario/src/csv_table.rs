@@ -1,24 +1,30 @@
 //! A CSV file with a header: its columns checked, its cells read, everything wrong collected with line numbers.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
-use std::path::Path as FilePath;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Source};
 use crate::interval::Interval;
+use crate::memory::available;
 use crate::nearest::nearest;
 use crate::path::Path;
+use crate::text_file::read_text;
 use crate::written::Written;
 
 /// After so many faults in one file the rest is only counted.
-const MOST_FAULTS: usize = 20;
+pub(crate) const MOST_FAULTS: usize = 20;
 
-/// A CSV file that a scenario names.
+/// Memory that what is read from a table takes, as a multiple of its text.
+const COPIES: f64 = 12.0;
+
+/// A CSV file that a scenario names. Its rows are split when they are read: tables can be larger than all that is made
+/// of them.
 pub(crate) struct CsvTable {
     source: Arc<Source>,
     path: Path,
+    header: Range<usize>,
     columns: Vec<String>,
-    rows: Vec<Row>,
     faults: Vec<Diagnostic>,
 }
 
@@ -26,6 +32,40 @@ struct Row {
     span: Range<usize>,
     line: usize,
     cells: Vec<String>,
+}
+
+/// The rows of a text, its header first.
+struct Rows<'a> {
+    text: &'a str,
+    reader: csv::Reader<&'a [u8]>,
+    record: csv::StringRecord,
+}
+
+impl<'a> Rows<'a> {
+    fn new(text: &'a str) -> Self {
+        let mut settings = csv::ReaderBuilder::new();
+        let settings = settings.has_headers(false).flexible(true).trim(csv::Trim::All);
+        Self { text, reader: settings.from_reader(text.as_bytes()), record: csv::StringRecord::new() }
+    }
+}
+
+impl Iterator for Rows<'_> {
+    type Item = Row;
+
+    fn next(&mut self) -> Option<Row> {
+        // the text is in memory and valid UTF-8: nothing is left that could fail
+        if !self.reader.read_record(&mut self.record).is_ok_and(|more| more) {
+            return None;
+        }
+        let position = self.record.position()?;
+        let mut start = (position.byte() as usize).min(self.text.len());
+        // blank lines before a record count as its own
+        let blank = self.text[start..].bytes().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
+        let line = position.line() as usize + self.text[start..start + blank].matches('\n').count();
+        start += blank;
+        let length = self.text[start..].find(['\n', '\r']).unwrap_or(self.text.len() - start);
+        Some(Row { span: start..start + length, line, cells: self.record.iter().map(str::to_string).collect() })
+    }
 }
 
 impl CsvTable {
@@ -40,7 +80,8 @@ impl CsvTable {
         let path = Path::parse(path);
         let name = written.tree.get(&path)?.value.as_text()?;
         let file = written.folder.join(name);
-        let text = match read_text(&file) {
+        let most = available().map_or(f64::MAX, |bytes| bytes / COPIES);
+        let text = match read_text(&file, most) {
             Ok(text) => text,
             Err(reason) => {
                 found.push(written.at_value(&path, format!("cannot read {}: {reason}", file.display())));
@@ -48,8 +89,8 @@ impl CsvTable {
             }
         };
         let source = Arc::new(Source { name: file.display().to_string(), text });
-        let mut table = Self { source, path, columns: Vec::new(), rows: Vec::new(), faults: Vec::new() };
-        table.split();
+        let (header, columns) = Rows::new(&source.text).next().map(|row| (row.span, row.cells)).unwrap_or_default();
+        let mut table = Self { source, path, header, columns, faults: Vec::new() };
         match table.check_header(required, optional) {
             true => Some(table),
             false => {
@@ -59,43 +100,29 @@ impl CsvTable {
         }
     }
 
-    fn split(&mut self) {
-        let mut reader = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .trim(csv::Trim::All)
-            .from_reader(self.source.text.as_bytes());
-        let mut record = csv::StringRecord::new();
-        // the text is in memory and valid UTF-8: nothing is left that could fail
-        while reader.read_record(&mut record).is_ok_and(|more| more) {
-            let Some(position) = record.position() else { continue };
-            let text = &self.source.text;
-            let mut start = (position.byte() as usize).min(text.len());
-            // blank lines before a record count as its own
-            let blank = text[start..].bytes().take_while(|byte| matches!(byte, b'\n' | b'\r')).count();
-            let line = position.line() as usize + text[start..start + blank].matches('\n').count();
-            start += blank;
-            let length = text[start..].find(['\n', '\r']).unwrap_or(text.len() - start);
-            let cells = record.iter().map(str::to_string).collect();
-            self.rows.push(Row { span: start..start + length, line, cells });
-        }
-        if !self.rows.is_empty() {
-            self.columns = self.rows[0].cells.clone();
-        }
-    }
-
     fn check_header(&mut self, required: &[&str], optional: &[&str]) -> bool {
         let known: Vec<&str> = required.iter().chain(optional).copied().collect();
         let expected = format!("expected the columns {}", known.join(","));
-        let header = self.rows.first().map_or(0..0, |row| row.span.clone());
+        let header = self.header.clone();
         let columns = self.columns.clone();
-        for (place, column) in columns.iter().enumerate() {
-            if columns[..place].contains(column) {
+        let mut seen = BTreeSet::new();
+        let mut strange = 0;
+        for column in &columns {
+            if seen.insert(column) && known.contains(&column.as_str()) {
+                continue;
+            }
+            strange += 1;
+            if strange > MOST_FAULTS {
+                continue;
+            } else if known.contains(&column.as_str()) {
                 self.fault(header.clone(), format!("column `{column}` appears twice"), None);
-            } else if !known.contains(&column.as_str()) {
+            } else {
                 let help = nearest(column, &known).map(|near| format!("did you mean `{near}`?"));
                 self.fault(header.clone(), format!("unknown column {column:?}, {expected}"), help);
             }
+        }
+        if strange > MOST_FAULTS {
+            self.fault(header.clone(), format!("and {} more columns like these", strange - MOST_FAULTS), None);
         }
         for column in required.iter().filter(|column| !columns.iter().any(|found| found == *column)) {
             self.fault(header.clone(), format!("missing column `{column}`, {expected}"), None);
@@ -111,9 +138,10 @@ impl CsvTable {
     ) -> Vec<T> {
         let mut read_rows = Vec::new();
         let mut overflow = 0;
-        let rows = std::mem::take(&mut self.rows);
-        for row in rows.iter().skip(1) {
-            let mut cells = Cells { columns: &self.columns, row, faults: Vec::new() };
+        let source = self.source.clone();
+        for row in Rows::new(&source.text).skip(1) {
+            let is_told = self.faults.len() < MOST_FAULTS;
+            let mut cells = Cells { columns: &self.columns, row: &row, is_told, faults: Vec::new() };
             if row.cells.len() == self.columns.len() {
                 read_rows.extend(read(&mut cells));
             } else {
@@ -121,7 +149,7 @@ impl CsvTable {
             }
             for Fault { column, message, help } in cells.faults {
                 if self.faults.len() < MOST_FAULTS {
-                    let cell = column.and_then(|column| self.cell(row, &column));
+                    let cell = column.and_then(|column| self.cell(&row, &column));
                     self.fault(cell.unwrap_or(row.span.clone()), message, help);
                 } else {
                     overflow += 1;
@@ -151,20 +179,15 @@ impl CsvTable {
         Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span: 0..0 }))
     }
 
-    /// How many rows follow the header.
-    pub(crate) fn len(&self) -> usize {
-        self.rows.len().saturating_sub(1)
+    /// Whether no row follows the header.
+    pub(crate) fn is_empty(&self) -> bool {
+        Rows::new(&self.source.text).nth(1).is_none()
     }
 
     fn fault(&mut self, span: Range<usize>, message: String, help: Option<String>) {
         let place = Place::File { source: self.source.clone(), span };
         self.faults.push(Diagnostic::new(&self.path, message, Some(place)).with_help_if(help));
     }
-}
-
-fn read_text(file: &FilePath) -> Result<String, String> {
-    let bytes = std::fs::read(file).map_err(|error| error.to_string())?;
-    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_string())
 }
 
 /// Something wrong with a row, or with its cell in a column.
@@ -178,6 +201,7 @@ struct Fault {
 pub(crate) struct Cells<'a> {
     columns: &'a [String],
     row: &'a Row,
+    is_told: bool,
     faults: Vec<Fault>,
 }
 
@@ -185,6 +209,11 @@ impl<'a> Cells<'a> {
     /// The line of the file, from 1.
     pub(crate) fn line(&self) -> usize {
         self.row.line
+    }
+
+    /// Whether a fault of this row is told, not only counted: whether help is worth looking for.
+    pub(crate) fn is_told(&self) -> bool {
+        self.is_told
     }
 
     /// Reports a fault of this row.

@@ -6,9 +6,14 @@ use crate::check;
 use crate::csv_files::{GraphFiles, StowRow, read_graph, read_stow};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::path::Path;
+use crate::quantity::Number;
 use crate::rules;
 use crate::scenario::Scenario;
+use crate::text_file::read_text;
 use crate::written::Written;
+
+/// The largest file that is read as a scenario: larger ones are results, or never end.
+const MOST_BYTES: f64 = 64e6;
 
 /// A scenario that was read and checked.
 #[derive(Clone, Debug)]
@@ -24,6 +29,13 @@ pub struct Document {
 }
 
 impl Document {
+    /// The same with another step, as a share of the largest stable one; between 0 and 1.
+    pub fn with_step_fraction(&self, fraction: f64) -> Document {
+        let mut document = self.clone();
+        document.scenario.solve.step_fraction = Some(Number::constant(fraction));
+        document
+    }
+
     /// Reads the scenario in `file` and the files it names. Each override is `path=value`, as after `--set`.
     ///
     /// # Errors
@@ -31,8 +43,7 @@ impl Document {
     pub fn read(file: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
         let unreadable =
             |reason: String| Diagnostic::new("", format!("cannot read {}: {reason}", file.display()), None);
-        let bytes = std::fs::read(file).map_err(|error| unreadable(error.to_string()))?;
-        let text = String::from_utf8(bytes).map_err(|_| unreadable("it is not UTF-8 text".into()))?;
+        let text = read_text(file, MOST_BYTES).map_err(unreadable)?;
         let source = Source { name: file.display().to_string(), text };
         Self::parse(source, file.parent().unwrap_or(FilePath::new("")), overrides)
     }

@@ -7,6 +7,9 @@ use toml::value::Datetime;
 
 use crate::path::{Path, Step};
 
+/// After so many lines that are no TOML the rest is only counted: it may be another kind of file.
+const MOST_FAULTS: usize = 20;
+
 /// Where a key or value was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
@@ -189,15 +192,28 @@ impl Tree {
     pub fn parse(text: &str) -> Result<Self, Vec<TreeFault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let mut faults: Vec<TreeFault> = Vec::new();
-        let mut last_line = None;
+        let (mut line, mut counted_to, mut last_line, mut overflow) = (0, 0, None, 0);
         for error in errors {
             let span = error.span().unwrap_or(text.len()..text.len());
-            let line = text.get(..span.start).map(|before| before.matches('\n').count());
-            // what follows on the line is the same slip seen again
-            if line != last_line {
-                faults.push(TreeFault { origin: Origin::File(span), message: error.message().to_string() });
+            // errors come in the order of the text, but for a few
+            if span.start < counted_to {
+                (line, counted_to) = (0, 0);
             }
-            last_line = line;
+            line += text.as_bytes()[counted_to..span.start.min(text.len())].iter().filter(|&&b| b == b'\n').count();
+            counted_to = span.start.min(text.len());
+            // what follows on the line is the same slip seen again
+            if last_line.replace(line) == Some(line) {
+                continue;
+            }
+            if faults.len() < MOST_FAULTS {
+                faults.push(TreeFault { origin: Origin::File(span), message: error.message().to_string() });
+            } else {
+                overflow += 1;
+            }
+        }
+        if overflow > 0 {
+            let origin = Origin::File(text.len()..text.len());
+            faults.push(TreeFault { origin, message: format!("and {overflow} more lines that are no TOML") });
         }
         let root = Value::Table(table_from_toml(table.get_ref(), &Origin::File, &mut faults));
         if faults.is_empty() {

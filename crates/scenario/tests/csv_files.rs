@@ -153,3 +153,20 @@ fn the_files_are_known_by_name() {
     let names: Vec<_> = scenario.files_mut().iter().map(|path| path.display().to_string()).collect();
     assert_eq!(names, ["nodes.csv", "ropes.csv"]);
 }
+
+/// Each of a million commas was compared with all before it: hours.
+#[test]
+fn a_header_of_strange_columns_is_counted() {
+    let header: String = (0..50).map(|column| format!(",c{column}")).collect();
+    let found = wrong(SCENARIO, &format!("id,x,y,z{header}\n"), ROPES);
+    assert_eq!(found.iter().filter(|line| line.contains("unknown column")).count(), 20);
+    assert_eq!(found.last().unwrap(), "nodes.csv:1: and 30 more columns like these");
+}
+
+/// A row whose cells hold line ends is one row, and the next is known by its own line.
+#[test]
+fn lines_are_counted_through_quotes() {
+    let nodes = "id,x,y,z\n\"n\n1\",0,0,0\n\nn2,zero,0,0\n";
+    let found = wrong(SCENARIO, nodes, ROPES);
+    assert_eq!(found[0], "nodes.csv:5: x: expected a number, found \"zero\"");
+}

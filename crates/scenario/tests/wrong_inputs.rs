@@ -282,3 +282,18 @@ proptest! {
         }
     }
 }
+
+/// Another kind of file given as a scenario was refused line by line, in a time that grew with its square.
+#[test]
+fn a_file_of_another_kind_is_refused_with_a_count() {
+    let table: String = (0..5000).map(|row| format!("n{row},0,0,0\n")).collect();
+    let found = wrong(&table, &[]);
+    assert_eq!(found.len(), 21);
+    assert_eq!(found[20], "net.toml:5001:1: and 4980 more lines that are no TOML");
+
+    let settings: String = (0..5000).map(|key| format!("key_{key} = {key}\n")).collect();
+    let found = wrong(&settings, &[]);
+    assert_eq!(found.iter().filter(|line| line.contains("unknown key")).count(), 100);
+    // the keys that a scenario must have are missing as well
+    assert_eq!(found.last().unwrap(), "net.toml:5001:1: and 4903 more faults");
+}

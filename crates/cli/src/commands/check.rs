@@ -94,6 +94,7 @@ fn cost(model: &Model) {
                 number(1e6 * model.limit.dt, 4)
             ),
         ),
+        ("a larger step would take".into(), model.step_lift().unwrap_or_else(|| "nothing".into())),
         ("steps".into(), format!("{} for {} s", schedule.count, number(schedule.time(schedule.count), 4))),
         (
             "segment updates".into(),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use netcast::report::{ReportError, write_pictures, write_report};
+use netcast::results::recover;
 
 use crate::Ended;
 use crate::complaint::Complaint;
@@ -27,6 +28,10 @@ pub struct Arguments {
 
 /// Carries it out.
 pub fn run(arguments: &Arguments) -> Ended {
+    // a run that was cut off is read as far as it came
+    for lost in recover(&arguments.folder)? {
+        say!("note: {lost}");
+    }
     // what can lack its input comes first, so that a refusal leaves nothing written
     let pictures = if arguments.pictures { write_pictures(&arguments.folder).map_err(complaint)? } else { Vec::new() };
     let page = write_report(&arguments.folder).map_err(complaint)?;

@@ -5,6 +5,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use netcast::results::CheckpointEvery;
+use netcast::scenario::interval::NonNegative;
+use netcast::scenario::quantity::Time;
 use netcast::{RunOptions, run as carry_out};
 
 use super::ScenarioArguments;
@@ -20,8 +23,10 @@ Examples:
   netcast run examples/04_square_net/square_net.toml
   netcast run net.toml --out results/faster --set launch.axial_speed=\"60 m/s\"
   netcast run net.toml --json --quiet > summary.json
+  netcast run net.toml --resume                  go on from where it was interrupted, or the machine went down
 
-Ctrl-C stops the run at its next record; what was computed is kept, and the exit status is 3.")]
+While it runs, its history and fields grow in DIR.running. Ctrl-C stops the run at its next record; what was computed is
+kept in DIR, and the exit status is 3.")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
@@ -33,6 +38,15 @@ pub struct Arguments {
     /// Threads to use at most; results do not depend on it [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+
+    /// Go on from where a run of the same scenario was interrupted or cut off; the results are those of a run that was
+    /// not
+    #[arg(long)]
+    resume: bool,
+
+    /// Simulated time from one checkpoint to the next, such as "50 ms"; 0: none [default: every 30 s on the clock]
+    #[arg(long, value_name = "TIME", value_parser = checkpoint_every)]
+    checkpoint_every: Option<CheckpointEvery>,
 
     /// No progress bar and no summary on the screen
     #[arg(long)]
@@ -50,7 +64,10 @@ pub fn run(arguments: &Arguments) -> Ended {
         let stem = arguments.scenario.scenario.file_stem().unwrap_or("scenario".as_ref());
         PathBuf::from("results").join(stem)
     });
-    let mut options = RunOptions::default();
+    let mut options = RunOptions { resume: arguments.resume, ..RunOptions::default() };
+    if let Some(every) = arguments.checkpoint_every {
+        options.checkpoint_every = every;
+    }
     if let Some(threads) = arguments.threads {
         options.threads = threads.into();
     }
@@ -78,8 +95,44 @@ pub fn run(arguments: &Arguments) -> Ended {
         tell(&ran, &summary)?;
     }
     match ran.failure {
-        Some(failure) => Err(Complaint::Failed(failure, ran.folder)),
+        Some(failure) => {
+            let resume = ran.can_resume.then(|| arguments.resuming());
+            Err(Complaint::Failed { failure, folder: ran.folder, resume })
+        }
         None => Ok(()),
+    }
+}
+
+/// Reads a time between checkpoints; 0 means none.
+fn checkpoint_every(text: &str) -> Result<CheckpointEvery, String> {
+    let time = match text {
+        "0" => 0.0,
+        _ => Time::<NonNegative>::from_text(text).map_err(|error| error.to_string())?.si(),
+    };
+    Ok(if time == 0.0 { CheckpointEvery::Never } else { CheckpointEvery::Simulated(time) })
+}
+
+impl Arguments {
+    /// The command that goes on with this run.
+    fn resuming(&self) -> String {
+        let path = |path: &PathBuf| quoted(&path.to_string_lossy());
+        let mut command = format!("netcast run {}", path(&self.scenario.scenario));
+        for set in &self.scenario.overrides {
+            command += &format!(" --set {}", quoted(set));
+        }
+        if let Some(out) = &self.out {
+            command += &format!(" --out {}", path(out));
+        }
+        command + " --resume"
+    }
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-=+:,@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
     }
 }
 
@@ -100,8 +153,9 @@ fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
     }
     let step = &ran.summary.step;
     let limit = step.limited_by.as_ref().map_or(String::new(), |place| format!(", limited by {place}"));
+    let lift = step.lifted_by.as_ref().map_or(String::new(), |lift| format!("; larger with {lift}"));
     say!(
-        "  {} segments, {} steps of {:.3} us{limit}; {:.2} s on the clock.",
+        "  {} segments, {} steps of {:.3} us{limit}{lift}; {:.2} s on the clock.",
         ran.summary.model.segments,
         step.count,
         1e6 * step.dt_s,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::workbench::{Ended, Workbench};
 
-const COMMANDS: [&str; 7] = ["run", "compare", "check", "init", "stow", "report", "schema"];
+const COMMANDS: [&str; 8] = ["run", "compare", "check", "init", "stow", "report", "bench", "schema"];
 
 #[test]
 fn netcast_alone_says_what_to_do_next() {

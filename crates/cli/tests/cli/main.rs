@@ -4,6 +4,8 @@ mod command_line;
 mod compare;
 mod contract;
 mod failing_runs;
+mod killed;
+mod machine_says_no;
 mod other_commands;
 mod overrides;
 mod result_folder;

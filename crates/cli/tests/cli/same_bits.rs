@@ -54,7 +54,7 @@ fn any_number_of_threads_gives_the_same_bits_of_a_large_net() {
     let summary = workbench.summary("1");
     // a net of 100 x 100 meshes; the engine shares work from 20,000 segments on
     assert_eq!(summary["model"]["segments"], 2 * 101 * 100);
-    assert!(summary["step"]["count"].as_u64().unwrap() > 100);
+    assert!(summary["step"]["count"].as_u64().unwrap() > 50);
     assert!(summary["tension"]["by_class"]["inner"]["max_n"].as_f64().unwrap() > 5.0);
 }
 

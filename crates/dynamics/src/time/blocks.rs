@@ -5,61 +5,156 @@
 //! runs. Neither wider vectors nor threads change a bit: sums run in [`LANES`] interleaved parts whatever the width,
 //! and multiplications and additions are never contracted.
 
-use multiversion::multiversion;
+use std::ops::Range;
 
 use crate::forces::rope_tension::{self, LANES, sum_lanes};
-use crate::layout::BlockPlan;
+use crate::layout::{Address, BlockPlan};
 use crate::system::System;
 use crate::time::StepFactors;
 
 /// One value a slot for each of x, y, z.
 pub(super) type Components = [Vec<f64>; 3];
 
-/// What a pass over a block adds up.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct BlockSums {
-    /// Largest tension, N.
-    pub max_tension: f64,
-    /// Work lost inside ropes since the pass before, J.
-    pub rope_work: f64,
-    /// Sum of m v^2 over private nodes at the step, J.
-    pub mass_velocity_squared: f64,
-}
-
-/// Slots of one class: state, segments and scratch.
+/// The nodes of a block: state, mass, and where they exchange with other slots.
 #[derive(Debug, Clone)]
-pub(super) struct Block {
-    pub class: usize,
-    /// (slot, shared node) of the copies in this block.
-    pub copies: Vec<(usize, usize)>,
+pub(super) struct Nodes {
     pub x: Components,
     /// Half-step velocity.
     pub v: Components,
     /// Velocity extrapolated to the step.
     pub w: Components,
+    /// At the home of a knot, the force of its other slots, N; zero elsewhere.
+    elsewhere: Components,
+    /// Zero where a node is held or has its home in another slot: the pass over nodes then leaves it alone.
+    mass: Vec<f64>,
+    per_mass: Vec<f64>,
+    /// Scratch: one term a slot of what is summed.
+    each: Vec<f64>,
+    /// Sum of m v^2 at the step, J.
+    pub mass_velocity_squared: f64,
+    exchange: Exchange,
+}
+
+/// The segments of a block: each joins a slot to the next.
+#[derive(Debug, Clone)]
+pub(super) struct Ropes {
+    pub class: usize,
     /// Force of the segment *before* each slot on its own first node: entry i + 1 belongs to segment i, entry 0 is
     /// zero.
-    pub pull: Components,
+    pull: Components,
     pub tension: Vec<f64>,
     /// Length and friction of each segment at the pass before.
     length: Vec<f64>,
     friction: Vec<f64>,
-    /// Scratch: one term a slot of whatever is summed next.
+    /// Scratch: one term a slot of what is summed.
     each: Vec<f64>,
-    pub sums: BlockSums,
     rest_length: Vec<f64>,
     stiffness: Vec<f64>,
     damping: Vec<f64>,
-    /// Zero for copies, which makes the node pass leave them alone.
-    mass: Vec<f64>,
-    per_mass: Vec<f64>,
+    /// Largest tension, N.
+    pub max_tension: f64,
+    /// Work lost inside ropes since the pass before, J.
+    pub rope_work: f64,
 }
 
-impl Block {
-    pub fn new(plan: &BlockPlan, system: &System, copies: Vec<(usize, usize)>) -> Block {
-        let groups = plan.slots.len().div_ceil(LANES);
-        let (filled, padded) = (groups * LANES, (groups + 1) * LANES);
-        let zeros = || std::array::from_fn(|_| vec![0.0; padded]);
+/// Position and extrapolated velocity of a knot, as its other slots get it.
+pub(super) type Told = [f64; 6];
+
+/// What a block exchanges with others and within itself, knot by knot.
+#[derive(Debug, Clone, Default)]
+struct Exchange {
+    /// Homes of knots: slot, and its part of `others`.
+    homes: Vec<(u32, Range<u32>)>,
+    /// The other slots of these knots: block and slot.
+    others: Vec<(u32, u32)>,
+    /// Slots whose home is elsewhere: slot, block of the home, and its place among that block's homes.
+    guests: Vec<(u32, u32, u32)>,
+}
+
+impl Nodes {
+    fn new(plan: &BlockPlan, block: usize, system: &System, exchange: Exchange) -> Nodes {
+        let (filled, padded) = padding(plan);
+        let mut mass = vec![0.0; filled];
+        for (i, slot) in plan.slots.iter().enumerate() {
+            let at_home = system.layout().homes()[slot.node] == Address { block, slot: i };
+            if at_home && !system.held()[slot.node] {
+                mass[i] = system.mass()[slot.node];
+            }
+        }
+        Nodes {
+            x: zeros(padded),
+            v: zeros(padded),
+            w: zeros(padded),
+            elsewhere: zeros(filled),
+            each: vec![0.0; filled],
+            mass_velocity_squared: 0.0,
+            per_mass: mass.iter().map(|&m| if m > 0.0 { 1.0 / m } else { 0.0 }).collect(),
+            mass,
+            exchange,
+        }
+    }
+
+    /// Number of knots that have their home here.
+    pub fn home_count(&self) -> usize {
+        self.exchange.homes.len()
+    }
+
+    /// Brings what knots were told into the slots that are not their home.
+    pub fn hear(&mut self, told: &[Vec<Told>]) {
+        let n = self.x[0].len();
+        let [x, y, z] = &mut self.x;
+        let [u, v, w] = &mut self.w;
+        let (x, y, z, u, v, w) = (&mut x[..n], &mut y[..n], &mut z[..n], &mut u[..n], &mut v[..n], &mut w[..n]);
+        for &(slot, block, place) in &self.exchange.guests {
+            let (slot, told) = (slot as usize, &told[block as usize][place as usize]);
+            [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]] = *told;
+        }
+    }
+
+    /// Tells the values of the knots that have their home here.
+    pub fn tell(&self, told: &mut [Told]) {
+        let n = self.x[0].len();
+        let ([x, y, z], [u, v, w]) = (&self.x, &self.w);
+        let (x, y, z, u, v, w) = (&x[..n], &y[..n], &z[..n], &u[..n], &v[..n], &w[..n]);
+        for ((slot, _), told) in self.exchange.homes.iter().zip(told) {
+            let slot = *slot as usize;
+            *told = [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]];
+        }
+    }
+
+    /// Collects the forces of a knot's other slots at its home.
+    pub fn collect(&mut self, ropes: &[Ropes]) {
+        let n = self.mass.len();
+        let [fx, fy, fz] = &mut self.elsewhere;
+        let (fx, fy, fz) = (&mut fx[..n], &mut fy[..n], &mut fz[..n]);
+        for (home, others) in &self.exchange.homes {
+            let mut force = [0.0; 3];
+            for &(block, slot) in &self.exchange.others[others.start as usize..others.end as usize] {
+                let part = ropes[block as usize].slot_force(slot as usize);
+                for k in 0..3 {
+                    force[k] += part[k];
+                }
+            }
+            let home = *home as usize;
+            (fx[home], fy[home], fz[home]) = (force[0], force[1], force[2]);
+        }
+    }
+
+    /// The force of all ropes on the node that has its home in `slot`, N.
+    pub fn force(&self, ropes: &Ropes, slot: usize) -> [f64; 3] {
+        let own = ropes.slot_force(slot);
+        std::array::from_fn(|axis| self.elsewhere[axis][slot] + own[axis])
+    }
+
+    /// Mass of the node that has its home in `slot`, and its inverse; zero where it is held.
+    pub fn mass(&self, slot: usize) -> (f64, f64) {
+        (self.mass[slot], self.per_mass[slot])
+    }
+}
+
+impl Ropes {
+    fn new(plan: &BlockPlan, system: &System) -> Ropes {
+        let (filled, padded) = padding(plan);
         let of_segments = |value: fn(&crate::system::Segment) -> f64, none: f64| {
             let mut values = vec![none; filled];
             for (i, slot) in plan.slots.iter().enumerate() {
@@ -69,50 +164,67 @@ impl Block {
             }
             values
         };
-        let mut mass = vec![0.0; filled];
-        for (i, slot) in plan.slots.iter().enumerate() {
-            mass[i] = system.mass()[slot.node];
-        }
-        for &(slot, _) in &copies {
-            mass[slot] = 0.0;
-        }
-        Block {
+        Ropes {
             class: plan.class,
-            copies,
-            x: zeros(),
-            v: zeros(),
-            w: zeros(),
-            pull: zeros(),
+            pull: zeros(padded),
             tension: vec![0.0; filled],
             length: vec![0.0; filled],
             friction: vec![0.0; filled],
             each: vec![0.0; filled],
-            sums: BlockSums::default(),
             // between runs there is no segment: one that is never taut
             rest_length: of_segments(|s| s.rest_length, f64::MAX),
             stiffness: of_segments(|s| s.stiffness, 0.0),
             damping: of_segments(|s| s.damping, 0.0),
-            per_mass: mass.iter().map(|&m| if m > 0.0 { 1.0 / m } else { 0.0 }).collect(),
-            mass,
+            max_tension: 0.0,
+            rope_work: 0.0,
         }
     }
 
-    /// The force of this slot's two segments on it, N.
+    /// The force of a slot's two segments on it, N.
     #[inline(always)]
-    pub fn slot_force(&self, slot: usize) -> [f64; 3] {
-        std::array::from_fn(|axis| self.pull[axis][slot + 1] - self.pull[axis][slot])
-    }
-
-    /// 1/m of a slot; zero for copies.
-    pub fn per_mass(&self, slot: usize) -> f64 {
-        self.per_mass[slot]
+    fn slot_force(&self, slot: usize) -> [f64; 3] {
+        let n = self.pull[0].len();
+        let [x, y, z] = &self.pull;
+        let (x, y, z) = (&x[..n], &y[..n], &z[..n]);
+        [x[slot + 1] - x[slot], y[slot + 1] - y[slot], z[slot + 1] - z[slot]]
     }
 }
 
+/// The blocks of a system.
+pub(super) fn blocks(system: &System) -> (Vec<Nodes>, Vec<Ropes>) {
+    let layout = system.layout();
+    let mut exchanges = vec![Exchange::default(); layout.blocks().len()];
+    for slots in layout.knots() {
+        let (home, others) = slots.split_last().expect("a knot has slots");
+        let place = exchanges[home.block].homes.len() as u32;
+        let at_home = &mut exchanges[home.block];
+        let first = at_home.others.len() as u32;
+        at_home.others.extend(others.iter().map(|other| (other.block as u32, other.slot as u32)));
+        at_home.homes.push((home.slot as u32, first..at_home.others.len() as u32));
+        for other in others {
+            exchanges[other.block].guests.push((other.slot as u32, home.block as u32, place));
+        }
+    }
+    let plans = layout.blocks().iter().enumerate().zip(exchanges);
+    let nodes = plans.map(|((block, plan), exchange)| Nodes::new(plan, block, system, exchange)).collect();
+    (nodes, layout.blocks().iter().map(|plan| Ropes::new(plan, system)).collect())
+}
+
+/// Slots of a block filled up to whole groups of [`LANES`], and with one group more.
+fn padding(plan: &BlockPlan) -> (usize, usize) {
+    let groups = plan.slots.len().div_ceil(LANES);
+    (groups * LANES, (groups + 1) * LANES)
+}
+
+fn zeros(length: usize) -> Components {
+    std::array::from_fn(|_| vec![0.0; length])
+}
+
 /// Tensions and pulls of all segments of the block from `x` and `w`.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2", "x86_64+avx"))]
-pub(super) fn pull_segments(block: &mut Block, dt: f64) {
-    let Block { x, w, pull, tension, length, friction, each, rest_length, stiffness, damping, .. } = block;
+#[inline(always)]
+fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
+    let Nodes { x, w, .. } = nodes;
+    let Ropes { pull, tension, length, friction, each, rest_length, stiffness, damping, .. } = ropes;
     let [px, py, pz] = pull;
     pull_each(
         [&x[0], &x[1], &x[2]],
@@ -127,11 +239,11 @@ pub(super) fn pull_segments(block: &mut Block, dt: f64) {
         each,
         dt,
     );
-    block.sums.rope_work = sum(&block.each);
-    block.sums.max_tension = max(&block.tension);
+    ropes.rope_work = sum(&ropes.each);
+    ropes.max_tension = max(&ropes.tension);
 }
 
-/// The loop of [`pull_segments`]. Each array that is written is an argument of its own: only so does the compiler
+/// The loop of [`pull_pass`]. Each array that is written is an argument of its own: only so does the compiler
 /// know that they do not overlap, without which there are no vectors.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
@@ -165,27 +277,146 @@ fn pull_each(
     }
 }
 
-/// Kick and drift of all private nodes of the block. Copies of shared nodes come out wrong and are written anew
-/// before they are read.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2", "x86_64+avx"))]
-pub(super) fn advance_nodes(block: &mut Block, factors: StepFactors, gravity: [f64; 3]) {
-    let n = block.mass.len();
-    let Block { x, v, w, pull, mass, per_mass, each, .. } = block;
-    let (mass, per_mass, squares) = (&mass[..n], &per_mass[..n], &mut each[..n]);
-    squares.fill(0.0);
-    for axis in 0..3 {
-        let (before, after) = (&pull[axis][..n], &pull[axis][1..n + 1]);
-        let (x, v, w) = (&mut x[axis][..n], &mut v[axis][..n], &mut w[axis][..n]);
-        for i in 0..n {
-            let force = (after[i] - before[i]) + mass[i] * gravity[axis];
-            let last = v[i];
-            [v[i], x[i], w[i]] = factors.advance(last, x[i], force * per_mass[i]);
-            let at_step = 0.5 * (last + v[i]);
-            squares[i] += mass[i] * (at_step * at_step);
+/// Kick and drift of all nodes that have their home in the block. Slots without a home stay, and are written anew before
+/// they are read.
+#[inline(always)]
+fn advance_pass(nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
+    let Nodes { x, v, w, elsewhere, mass, per_mass, each, .. } = nodes;
+    let ([x, y, z], [vx, vy, vz], [wx, wy, wz]) = (x, v, w);
+    let masses = [&mass[..], &per_mass[..]];
+    let [px, py, pz] = &ropes.pull;
+    let [ex, ey, ez] = &*elsewhere;
+    // without mass damping nobody asks for m v^2, which costs a sixth of the pass
+    match factors.p == 1.0 {
+        true => {
+            advance_each::<NOT>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
+            advance_each::<NOT>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
+            advance_each::<NOT>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
+        }
+        false => {
+            advance_each::<SET>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
+            advance_each::<ADD>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
+            advance_each::<ADD>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
+            nodes.mass_velocity_squared = sum(&nodes.each);
         }
     }
-    block.sums.mass_velocity_squared = sum(&block.each);
 }
+
+/// What [`advance_each`] does with m v^2 of its axis.
+const NOT: u8 = 0;
+const SET: u8 = 1;
+const ADD: u8 = 2;
+
+/// The loop of [`advance_pass`] for one axis; what is written is apart, as in [`pull_each`].
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn advance_each<const SQUARES: u8>(
+    [pull, elsewhere]: [&[f64]; 2],
+    [mass, per_mass]: [&[f64]; 2],
+    factors: StepFactors,
+    gravity: f64,
+    x: &mut [f64],
+    v: &mut [f64],
+    w: &mut [f64],
+    squares: &mut [f64],
+) {
+    let n = squares.len();
+    let (before, after, elsewhere) = (&pull[..n], &pull[1..n + 1], &elsewhere[..n]);
+    let (mass, per_mass) = (&mass[..n], &per_mass[..n]);
+    let (x, v, w) = (&mut x[..n], &mut v[..n], &mut w[..n]);
+    for i in 0..n {
+        let force = (elsewhere[i] + (after[i] - before[i])) + mass[i] * gravity;
+        let last = v[i];
+        [v[i], x[i], w[i]] = factors.advance(last, x[i], force * per_mass[i]);
+        if SQUARES != NOT {
+            let at_step = 0.5 * (last + v[i]);
+            let square = mass[i] * (at_step * at_step);
+            squares[i] = if SQUARES == SET { square } else { squares[i] + square };
+        }
+    }
+}
+
+/// The widest vectors that the passes over blocks may use. All give the same bits; the machine decides which of them it
+/// has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Vectors {
+    /// Whatever the machine has.
+    #[default]
+    Widest,
+    /// At most AVX2: 256 bits.
+    Avx2,
+    /// At most AVX: 256 bits.
+    Avx,
+    /// What every machine of its kind has; on x86-64, SSE2: 128 bits.
+    Baseline,
+}
+
+impl Vectors {
+    /// Every choice.
+    pub const ALL: [Vectors; 4] = [Vectors::Widest, Vectors::Avx2, Vectors::Avx, Vectors::Baseline];
+
+    /// Their width on this machine, bits.
+    pub fn bits(self) -> u32 {
+        #[cfg(target_arch = "x86_64")]
+        {
+            let avx512 = is_x86_feature_detected!("avx512f")
+                && is_x86_feature_detected!("avx512vl")
+                && is_x86_feature_detected!("avx512dq");
+            if self == Vectors::Widest && avx512 {
+                return 512;
+            }
+            if self != Vectors::Baseline && is_x86_feature_detected!("avx") {
+                return 256;
+            }
+        }
+        128
+    }
+
+    /// Tensions and pulls of all segments of a block.
+    pub(super) fn pull_segments(self, nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
+        match self {
+            Vectors::Widest => widest::pull_segments(nodes, ropes, dt),
+            Vectors::Avx2 => avx2::pull_segments(nodes, ropes, dt),
+            Vectors::Avx => avx::pull_segments(nodes, ropes, dt),
+            Vectors::Baseline => pull_pass(nodes, ropes, dt),
+        }
+    }
+
+    /// Kick and drift of all nodes that have their home in a block.
+    pub(super) fn advance_nodes(self, nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
+        match self {
+            Vectors::Widest => widest::advance_nodes(nodes, ropes, factors, gravity),
+            Vectors::Avx2 => avx2::advance_nodes(nodes, ropes, factors, gravity),
+            Vectors::Avx => avx::advance_nodes(nodes, ropes, factors, gravity),
+            Vectors::Baseline => advance_pass(nodes, ropes, factors, gravity),
+        }
+    }
+}
+
+/// The two passes, compiled for each of some targets and for the baseline; which one runs is chosen on the machine.
+macro_rules! passes {
+    ($module:ident: $($target:literal),*) => {
+        mod $module {
+            use multiversion::multiversion;
+
+            use super::{Nodes, Ropes, StepFactors};
+
+            #[multiversion(targets($($target),*))]
+            pub fn pull_segments(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
+                super::pull_pass(nodes, ropes, dt);
+            }
+
+            #[multiversion(targets($($target),*))]
+            pub fn advance_nodes(nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
+                super::advance_pass(nodes, ropes, factors, gravity);
+            }
+        }
+    };
+}
+
+passes!(widest: "x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2", "x86_64+avx");
+passes!(avx2: "x86_64+avx2");
+passes!(avx: "x86_64+avx");
 
 /// Sum over a block, in [`LANES`] interleaved parts.
 #[inline(always)]

@@ -1,27 +1,82 @@
 //! One step: forces, kick, drift. The fused form of [`crate::time::readable`], equal to it bit for bit.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::StepFactors;
-use super::blocks::{Block, advance_nodes, pull_segments};
-use crate::layout::Home;
+pub use super::blocks::Vectors;
+use super::blocks::{Nodes, Ropes, Told, blocks};
+use crate::layout::Address;
+use crate::snapshot::Motion;
 use crate::state::State;
 use crate::system::System;
 
 /// Below so many slots a thread spends longer waiting than working, and one thread does all.
 pub const LEAST_SLOTS_FOR_THREADS: usize = 20_000;
 
-/// A node that several runs share, or that is held: it is advanced here and copied into the blocks.
-#[derive(Debug, Clone, Copy, Default)]
-struct Shared {
-    x: [f64; 3],
-    v: [f64; 3],
-    w: [f64; 3],
-    mass: f64,
-    per_mass: f64,
-    held: bool,
-    mass_velocity_squared: f64,
+/// What a step runs on; nothing here changes a bit of what comes out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Engine {
+    /// Threads at most.
+    pub threads: usize,
+    /// Widest vectors.
+    pub vectors: Vectors,
+    /// Slots below which one thread does all.
+    pub least_slots_for_threads: usize,
+}
+
+impl Default for Engine {
+    fn default() -> Self {
+        Engine { threads: 1, vectors: Vectors::Widest, least_slots_for_threads: LEAST_SLOTS_FOR_THREADS }
+    }
+}
+
+/// The threads that a net is advanced on.
+#[derive(Debug, Clone, Default)]
+pub struct Team(Option<Arc<rayon::ThreadPool>>);
+
+impl Team {
+    /// So many threads; the calling one alone where they cannot be had.
+    fn of(threads: usize) -> Team {
+        Team(rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok().map(Arc::new))
+    }
+
+    /// Does `work` on one of these threads. Steps taken there find the others awake, which makes them several times
+    /// cheaper to share.
+    pub fn lead<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.0 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+
+    /// Work over blocks. What it does to a block must not depend on the others' turn.
+    fn for_each<A: Send, B: Send>(
+        &self,
+        one: &mut [A],
+        other: &mut [B],
+        work: impl Fn(usize, &mut A, &mut B) + Sync + Send,
+    ) {
+        match &self.0 {
+            Some(pool) => {
+                // one part a thread: blocks are alike, and every part costs a handshake
+                let share = one.len().div_ceil(pool.current_num_threads());
+                pool.install(|| {
+                    let parts = one.par_chunks_mut(share).zip(other.par_chunks_mut(share)).enumerate();
+                    parts.for_each(|(part, (one, other))| {
+                        let blocks = one.iter_mut().zip(other).enumerate();
+                        blocks.for_each(|(block, (one, other))| work(part * share + block, one, other));
+                    });
+                });
+            }
+            None => {
+                let blocks = one.iter_mut().zip(other).enumerate();
+                blocks.for_each(|(block, (one, other))| work(block, one, other));
+            }
+        }
+    }
 }
 
 /// What a step adds up over the whole net.
@@ -38,140 +93,161 @@ pub struct Stepper<'a> {
     system: &'a System,
     factors: StepFactors,
     gravity: [f64; 3],
-    blocks: Vec<Block>,
-    shared: Vec<Shared>,
-    threads: Option<rayon::ThreadPool>,
+    nodes: Vec<Nodes>,
+    ropes: Vec<Ropes>,
+    /// What the knots of each block tell their other slots.
+    told: Vec<Vec<Told>>,
+    team: Team,
+    vectors: Vectors,
 }
 
 impl<'a> Stepper<'a> {
     /// Starts from `state` with steps of `dt` seconds, on at most `threads` threads. The result is the same for any
     /// number.
     pub fn new(system: &'a System, state: &State, dt: f64, threads: usize) -> Stepper<'a> {
-        let layout = system.layout();
-        let mut copies = vec![Vec::new(); layout.blocks().len()];
-        for (shared, slots) in layout.copies().iter().enumerate() {
-            for &(block, slot) in slots {
-                copies[block].push((slot, shared));
-            }
-        }
-        let blocks = layout.blocks().iter().zip(copies).map(|(plan, c)| Block::new(plan, system, c)).collect();
-        let shared = layout.shared().iter().map(|&node| {
-            let (mass, held) = (system.mass()[node], system.held()[node]);
-            Shared { mass, held, per_mass: if held { 0.0 } else { 1.0 / mass }, ..Shared::default() }
-        });
-        let worth_it = threads > 1 && layout.slot_count() >= LEAST_SLOTS_FOR_THREADS;
-        let mut stepper = Stepper {
-            system,
-            factors: StepFactors::new(dt, system.environment().mass_damping),
-            gravity: system.environment().gravity.into(),
-            blocks,
-            shared: shared.collect(),
-            threads: worth_it.then(|| rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()).flatten(),
-        };
+        Stepper::on(Engine { threads, ..Engine::default() }, system, state, dt)
+    }
+
+    /// As [`Stepper::new`], on a chosen engine. The result is the same on any.
+    pub fn on(engine: Engine, system: &'a System, state: &State, dt: f64) -> Stepper<'a> {
+        let mut stepper = Stepper::empty(engine, system, dt);
         stepper.start(state);
         stepper
     }
 
+    /// Goes on from where [`Stepper::motion`] left off, between two steps, on at most `threads` threads. The first
+    /// forces tell no work lost in ropes: they do not know the lengths before.
+    pub fn resume(system: &'a System, motion: &Motion, dt: f64, threads: usize) -> Stepper<'a> {
+        let mut stepper = Stepper::empty(Engine { threads, ..Engine::default() }, system, dt);
+        let Motion { position, half_step_velocity, extrapolated } = motion;
+        for (block, plan) in system.layout().blocks().iter().enumerate() {
+            for (slot, content) in plan.slots.iter().enumerate() {
+                let at = |of: &[DVec3]| of[content.node].to_array();
+                stepper.put(Address { block, slot }, at(position), at(half_step_velocity), at(extrapolated));
+            }
+        }
+        stepper.tell();
+        stepper
+    }
+
+    /// All that a step depends on: forces and tensions follow from it, and the rest never changes.
+    pub fn motion(&self) -> Motion {
+        // taken apart field by field, so that what is new cannot be forgotten here
+        let Stepper { system, factors: _, gravity: _, nodes, ropes: _, told: _, team: _, vectors: _ } = self;
+        let of_each = |value: fn(&Nodes, usize) -> [f64; 3]| {
+            let homes = system.layout().homes().iter();
+            homes.map(|&Address { block, slot }| value(&nodes[block], slot).into()).collect()
+        };
+        Motion {
+            position: of_each(|nodes, slot| nodes.x.each_ref().map(|x| x[slot])),
+            half_step_velocity: of_each(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
+            extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
+        }
+    }
+
+    /// A net whose nodes are nowhere yet.
+    fn empty(engine: Engine, system: &'a System, dt: f64) -> Stepper<'a> {
+        let (nodes, ropes) = blocks(system);
+        let Engine { threads, vectors, least_slots_for_threads } = engine;
+        let worth_it = threads > 1 && system.layout().slot_count() >= least_slots_for_threads;
+        Stepper {
+            system,
+            factors: StepFactors::new(dt, system.environment().mass_damping),
+            gravity: system.environment().gravity.into(),
+            told: nodes.iter().map(|block| vec![Told::default(); block.home_count()]).collect(),
+            nodes,
+            ropes,
+            team: if worth_it { Team::of(threads) } else { Team::default() },
+            vectors,
+        }
+    }
+
     /// Sets the state and the half-step velocities before it.
     fn start(&mut self, state: &State) {
-        for node in 0..state.position.len() {
-            let velocity = if self.system.held()[node] { DVec3::ZERO } else { state.velocity[node] };
-            self.put(node, state.position[node].into(), velocity.into(), velocity.into());
+        let system = self.system;
+        for (block, plan) in system.layout().blocks().iter().enumerate() {
+            for (slot, content) in plan.slots.iter().enumerate() {
+                let node = content.node;
+                let velocity = if system.held()[node] { DVec3::ZERO } else { state.velocity[node] };
+                self.put(Address { block, slot }, state.position[node].into(), [0.0; 3], velocity.into());
+            }
         }
+        self.tell();
         self.forces();
-        for node in 0..state.position.len() {
-            if !self.system.held()[node] {
+        for (node, &home) in system.layout().homes().iter().enumerate() {
+            if !system.held()[node] {
                 let (v, a) = (state.velocity[node], self.acceleration(node));
                 let before = std::array::from_fn(|k| self.factors.before_start(v[k], a[k]));
-                self.put(node, state.position[node].into(), before, v.into());
+                self.put(home, state.position[node].into(), before, v.into());
             }
         }
     }
 
-    fn put(&mut self, node: usize, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
-        match self.system.layout().homes()[node] {
-            Home::Private { block, slot } => {
-                let b = &mut self.blocks[block];
-                for k in 0..3 {
-                    (b.x[k][slot], b.v[k][slot], b.w[k][slot]) = (x[k], v[k], w[k]);
-                }
-            }
-            Home::Shared(i) => (self.shared[i].x, self.shared[i].v, self.shared[i].w) = (x, v, w),
+    fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
+        let (nodes, slot) = (&mut self.nodes[at.block], at.slot);
+        for k in 0..3 {
+            (nodes.x[k][slot], nodes.v[k][slot], nodes.w[k][slot]) = (x[k], v[k], w[k]);
         }
+    }
+
+    fn tell(&mut self) {
+        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
     }
 
     /// One whole step. Afterwards positions are those of the next step, velocities half a step behind them, tensions
     /// those of the step just taken.
     pub fn step(&mut self) -> StepSums {
-        let (factors, gravity, shared) = (self.factors, self.gravity, &self.shared);
-        let dt = factors.dt;
-        self.threads.for_each(&mut self.blocks, |block| {
-            copy_shared(block, shared);
-            pull_segments(block, dt);
-            advance_nodes(block, factors, gravity);
-        });
-        self.advance_shared();
-        self.sums()
+        self.pull();
+        self.advance()
     }
 
     /// The first part of [`Stepper::step`]: tensions and forces where the nodes are now, for who wants to look before
     /// going on.
     pub fn forces(&mut self) -> StepSums {
-        let (dt, shared) = (self.factors.dt, &self.shared);
-        self.threads.for_each(&mut self.blocks, |block| {
-            copy_shared(block, shared);
-            pull_segments(block, dt);
-        });
+        self.pull();
+        let ropes = &self.ropes;
+        self.team.for_each(&mut self.nodes, &mut self.told, |_, nodes, _| nodes.collect(ropes));
         self.sums()
     }
 
     /// The second part of [`Stepper::step`].
     pub fn advance(&mut self) -> StepSums {
-        let (factors, gravity) = (self.factors, self.gravity);
-        self.threads.for_each(&mut self.blocks, |block| advance_nodes(block, factors, gravity));
-        self.advance_shared();
+        let (factors, gravity, ropes, vectors) = (self.factors, self.gravity, &self.ropes, self.vectors);
+        self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
+            nodes.collect(ropes);
+            vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
+            nodes.tell(told);
+        });
         self.sums()
     }
 
-    /// Kick and drift of the shared nodes, each from the forces in its slots in ascending order.
-    fn advance_shared(&mut self) {
-        let (factors, gravity, blocks) = (self.factors, self.gravity, &self.blocks);
-        for (node, copies) in self.shared.iter_mut().zip(self.system.layout().copies()) {
-            if node.held {
-                continue;
-            }
-            let acceleration = shared_acceleration(node, copies, blocks, gravity);
-            let mut squares = 0.0;
-            for k in 0..3 {
-                let before = node.v[k];
-                [node.v[k], node.x[k], node.w[k]] = factors.advance(before, node.x[k], acceleration[k]);
-                let at_step = 0.5 * (before + node.v[k]);
-                squares += at_step * at_step;
-            }
-            node.mass_velocity_squared = node.mass * squares;
-        }
+    fn pull(&mut self) {
+        let (dt, told, vectors) = (self.factors.dt, &self.told, self.vectors);
+        self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
+            nodes.hear(told);
+            vectors.pull_segments(nodes, ropes, dt);
+        });
     }
 
     fn sums(&self) -> StepSums {
-        let squares = self.blocks.iter().map(|b| b.sums.mass_velocity_squared).sum::<f64>()
-            + self.shared.iter().map(|s| s.mass_velocity_squared).sum::<f64>();
+        let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
         StepSums {
-            rope_work: self.blocks.iter().map(|b| b.sums.rope_work).sum(),
+            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum(),
             mass_power: self.system.environment().mass_damping * squares,
         }
     }
 
+    /// From the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
     fn acceleration(&self, node: usize) -> [f64; 3] {
-        match self.system.layout().homes()[node] {
-            Home::Private { block, slot } => {
-                let (b, mass) = (&self.blocks[block], self.system.mass()[node]);
-                let force = b.slot_force(slot);
-                std::array::from_fn(|k| (force[k] + mass * self.gravity[k]) * b.per_mass(slot))
-            }
-            Home::Shared(i) => {
-                shared_acceleration(&self.shared[i], &self.system.layout().copies()[i], &self.blocks, self.gravity)
-            }
-        }
+        let Address { block, slot } = self.system.layout().homes()[node];
+        let nodes = &self.nodes[block];
+        let (force, (mass, per_mass)) = (nodes.force(&self.ropes[block], slot), nodes.mass(slot));
+        std::array::from_fn(|k| (force[k] + mass * self.gravity[k]) * per_mass)
+    }
+
+    /// The threads that it is advanced on.
+    pub fn team(&self) -> Team {
+        self.team.clone()
     }
 
     /// The system that moves.
@@ -186,18 +262,14 @@ impl<'a> Stepper<'a> {
 
     /// Position of a node, m.
     pub fn position(&self, node: usize) -> DVec3 {
-        match self.system.layout().homes()[node] {
-            Home::Private { block, slot } => self.blocks[block].x.each_ref().map(|x| x[slot]).into(),
-            Home::Shared(i) => self.shared[i].x.into(),
-        }
+        let Address { block, slot } = self.system.layout().homes()[node];
+        self.nodes[block].x.each_ref().map(|x| x[slot]).into()
     }
 
     /// Velocity of a node half a step before its position, m/s.
     pub fn half_step_velocity(&self, node: usize) -> DVec3 {
-        match self.system.layout().homes()[node] {
-            Home::Private { block, slot } => self.blocks[block].v.each_ref().map(|v| v[slot]).into(),
-            Home::Shared(i) => self.shared[i].v.into(),
-        }
+        let Address { block, slot } = self.system.layout().homes()[node];
+        self.nodes[block].v.each_ref().map(|v| v[slot]).into()
     }
 
     /// Velocity of a node at its position, m/s; only between [`Stepper::forces`] and [`Stepper::advance`].
@@ -211,52 +283,18 @@ impl<'a> Stepper<'a> {
 
     /// Tension of a segment at the last forces, N.
     pub fn tension(&self, segment: usize) -> f64 {
-        let (block, slot) = self.system.layout().segment_slots()[segment];
-        self.blocks[block].tension[slot]
+        let Address { block, slot } = self.system.layout().segment_slots()[segment];
+        self.ropes[block].tension[slot]
     }
 
     /// Largest tension of each class at the last forces, N; `largest` has shape (classes,).
     pub fn largest_tensions(&self, largest: &mut [f64]) {
         largest.fill(0.0);
-        for block in &self.blocks {
-            let most = &mut largest[block.class];
-            *most = most.max(block.sums.max_tension);
-        }
-    }
-}
-
-/// Brings the shared nodes' values into a block's slots.
-fn copy_shared(block: &mut Block, shared: &[Shared]) {
-    for &(slot, node) in &block.copies {
-        let node = &shared[node];
-        for k in 0..3 {
-            block.x[k][slot] = node.x[k];
-            block.w[k][slot] = node.w[k];
-        }
-    }
-}
-
-fn shared_acceleration(node: &Shared, copies: &[(usize, usize)], blocks: &[Block], gravity: [f64; 3]) -> [f64; 3] {
-    let mut force = [0.0; 3];
-    for &(block, slot) in copies {
-        let part = blocks[block].slot_force(slot);
-        for k in 0..3 {
-            force[k] += part[k];
-        }
-    }
-    std::array::from_fn(|k| (force[k] + node.mass * gravity[k]) * node.per_mass)
-}
-
-/// Work over blocks, on a pool where there is one.
-trait ForEachBlock {
-    fn for_each(&self, blocks: &mut [Block], work: impl Fn(&mut Block) + Sync + Send);
-}
-
-impl ForEachBlock for Option<rayon::ThreadPool> {
-    fn for_each(&self, blocks: &mut [Block], work: impl Fn(&mut Block) + Sync + Send) {
-        match self {
-            Some(pool) => pool.install(|| blocks.par_iter_mut().for_each(work)),
-            None => blocks.iter_mut().for_each(work),
+        for ropes in &self.ropes {
+            // lone nodes are of no class
+            if let Some(most) = largest.get_mut(ropes.class) {
+                *most = most.max(ropes.max_tension);
+            }
         }
     }
 }

@@ -28,6 +28,10 @@ pub struct StepLimit {
     pub node: usize,
     /// The stiffest segment that meets there.
     pub segment: Option<usize>,
+    /// The limit that this node would set without damping, s.
+    pub without_damping: f64,
+    /// The limit that all nodes set where no segment of that one's class meets, s.
+    pub elsewhere: f64,
 }
 
 /// The stability limit of `system`.
@@ -45,13 +49,23 @@ pub fn step_limit(system: &System) -> StepLimit {
             }
         }
     }
-    let mut limit = StepLimit { dt: f64::INFINITY, node: 0, segment: None };
-    for node in (0..nodes).filter(|&n| !system.held()[n] && stiffness[n] > 0.0) {
-        let (mass, k, c) = (system.mass()[node], stiffness[node], damping[node]);
-        let dt = mass / (c + (c * c + 0.5 * k * mass).sqrt());
-        if dt < limit.dt {
-            limit = StepLimit { dt, node, segment: stiffest[node] };
-        }
+    let bound = |node: usize, c: f64| {
+        let (mass, k) = (system.mass()[node], stiffness[node]);
+        mass / (c + (c * c + 0.5 * k * mass).sqrt())
+    };
+    let free: Vec<usize> = (0..nodes).filter(|&n| !system.held()[n] && stiffness[n] > 0.0).collect();
+    let smallest = |one: (usize, f64), other: (usize, f64)| if other.1 < one.1 { other } else { one };
+    let least = free.iter().map(|&node| (node, bound(node, damping[node]))).reduce(smallest);
+    let Some((node, dt)) = least else {
+        let (dt, without_damping, elsewhere) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
+        return StepLimit { dt, node: 0, segment: None, without_damping, elsewhere };
+    };
+    let segment = stiffest[node];
+    let class = segment.map(|s| system.segments()[s].class);
+    let mut touched = vec![false; nodes];
+    for s in system.segments().iter().filter(|s| Some(s.class) == class) {
+        s.ends.iter().for_each(|&end| touched[end] = true);
     }
-    limit
+    let others = free.iter().filter(|&&node| !touched[node]).map(|&node| bound(node, damping[node]));
+    StepLimit { dt, node, segment, without_damping: bound(node, 0.0), elsewhere: others.fold(f64::INFINITY, f64::min) }
 }

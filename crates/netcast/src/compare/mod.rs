@@ -12,11 +12,12 @@ use std::time::Instant;
 
 use netcast_report::write_comparison;
 use netcast_results::comparison::{Comparison, Entrant, hash, read_summary};
-use netcast_results::{Machine, Manifest, ResultError, ResultFolder, folder};
-use netcast_scenario::path::Path as ValuePath;
-use netcast_scenario::tree::{Tree, Value};
+use netcast_results::{CheckpointEvery, Machine, Manifest, ResultError, ResultFolder, folder};
+use netcast_scenario::tree::Tree;
 use serde_json::Value as Json;
 
+use crate::inputs::SCENARIO;
+use crate::values::flatten;
 use crate::{Failure, Progress, RunError, RunOptions, run, schedule};
 
 pub use lineup::{FEWEST, Lineup, MOST};
@@ -95,7 +96,7 @@ fn run_all(
             let result = match &design.origin {
                 Origin::Folder(from) => copy_result(from, &to.join(&design.name)).map(|()| None),
                 Origin::Scenario { document, .. } => {
-                    let ran = run(document, &to.join(&design.name), &RunOptions { threads }, &mut tell, &stop);
+                    let ran = run(document, &to.join(&design.name), &options(threads), &mut tell, &stop);
                     ran.map(|ran| ran.failure)
                 }
             };
@@ -112,6 +113,11 @@ fn run_all(
         }
     });
     ended.into_iter().map(|end| end.into_inner().expect("no run panics while it tells its end")).collect()
+}
+
+/// A comparison that is cut off starts anew: its runs need no checkpoints.
+fn options(threads: usize) -> RunOptions {
+    RunOptions { threads, checkpoint_every: CheckpointEvery::Never, ..RunOptions::default() }
 }
 
 /// How far each run is.
@@ -170,40 +176,10 @@ fn entrant(name: &str, results: &Path, failure: Option<String>) -> Result<Entran
     let mut values = Vec::new();
     // what netcast wrote is TOML; of an input that somebody broke since, nothing is told
     if let Ok(tree) = Tree::parse(&text) {
-        flatten(&ValuePath::default(), &tree.root.value, &mut values);
+        flatten(&Default::default(), &tree.root.value, &mut values);
     }
     values.extend(files(&inputs)?);
     Ok(Entrant { name: name.to_owned(), summary, inputs: values, failure })
-}
-
-/// The resolved scenario among the inputs of a result.
-const SCENARIO: &str = "scenario.toml";
-
-/// Every value of a scenario under its dotted path.
-fn flatten(path: &ValuePath, value: &Value, into: &mut Vec<(String, Json)>) {
-    match value {
-        // an empty section says nothing; an empty variant, such as `[stow.roll]`, says which one it is
-        Value::Table(table) if table.0.is_empty() && path.0.len() > 1 => into.push((path.to_string(), json(value))),
-        Value::Table(table) => {
-            table.0.iter().for_each(|entry| flatten(&path.key(&entry.key), &entry.node.value, into));
-        }
-        Value::Array(elements) if elements.iter().any(|element| element.value.as_table().is_some()) => {
-            elements.iter().enumerate().for_each(|(i, element)| flatten(&path.index(i), &element.value, into));
-        }
-        leaf => into.push((path.to_string(), json(leaf))),
-    }
-}
-
-fn json(value: &Value) -> Json {
-    match value {
-        Value::String(text) => Json::from(text.as_str()),
-        Value::Integer(number) => Json::from(*number),
-        Value::Float(number) => Json::from(*number),
-        Value::Boolean(value) => Json::from(*value),
-        Value::Datetime(datetime) => Json::from(datetime.to_string()),
-        Value::Array(elements) => elements.iter().map(|element| json(&element.value)).collect(),
-        Value::Table(table) => table.0.iter().map(|entry| (entry.key.clone(), json(&entry.node.value))).collect(),
-    }
 }
 
 /// The files that a scenario names, each by a hash of what is in it: two webs may be drawn in files of one name.
@@ -236,28 +212,6 @@ fn manifest(designs: &[Design], to: &Path, threads: usize, clock: Instant) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn inputs_are_told_by_path_with_their_units() {
-        let tree = Tree::parse(
-            "title = \"x\"\n[web.graph]\noutline = [\"n1\", \"n2\"]\n[stow.roll]\n[measure]\n[[tractors]]\ncorner = 3\n\
-             axial_speed = \"5 m/s\"\n[points]\n\"knot 3\" = \"n4\"\n",
-        );
-        let mut found = Vec::new();
-        flatten(&ValuePath::default(), &tree.unwrap().root.value, &mut found);
-        let told: Vec<String> = found.iter().map(|(path, value)| format!("{path}={value}")).collect();
-        assert_eq!(
-            told,
-            [
-                "title=\"x\"",
-                "web.graph.outline=[\"n1\",\"n2\"]",
-                "stow.roll={}",
-                "tractors[0].corner=3",
-                "tractors[0].axial_speed=\"5 m/s\"",
-                "points.\"knot 3\"=\"n4\"",
-            ]
-        );
-    }
 
     #[test]
     fn files_of_one_name_with_other_content_differ() {

@@ -200,7 +200,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fields.vtkhdf");
         let count = segments.len();
-        let topology = FieldsTopology { nodes, segments, classes: vec![0; count], ..FieldsTopology::default() };
+        let topology = FieldsTopology {
+            nodes,
+            segments,
+            classes: vec![0; count],
+            class_names: vec!["rope".into()],
+            ..FieldsTopology::default()
+        };
         let mut fields = FieldsWriter::new(topology).unwrap();
         fields.push(0.0, &vec![DVec3::ZERO; nodes], &vec![DVec3::ZERO; nodes], &vec![0.0; count]).unwrap();
         fields.finish(&path).unwrap();

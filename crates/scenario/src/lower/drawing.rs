@@ -13,6 +13,8 @@ use crate::quantity::Length;
 use crate::scenario::Scenario;
 use crate::{canopy, web};
 
+use super::size::Size;
+
 /// Segments along a web's radius where the scenario does not say how long they are.
 const SEGMENTS_PER_RADIUS: f64 = 25.0;
 
@@ -39,6 +41,11 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
         notes.extend(merged(web.merge_stubs(0.5 * length)));
     }
     let web = add_traction(document, scenario, web)?;
+    let size = Size::of_web(&web, length);
+    let path = if per_mesh.is_some() { "web.square.segments_per_mesh" } else { "solve.segment_length" };
+    size.require(document, path, "cut it into longer segments, or run it where there is more memory")?;
+    let path = if scenario.record.fields_every.is_some() { "record.fields_every" } else { "record.every" };
+    size.recorded(scenario).require(document, path, "record less often, or give `record.fields_every`")?;
     cut(&web, &Cutting::SegmentLength(length)).map_err(|error| {
         let path = match error {
             CutError::TooMany { .. } | CutError::SegmentLength(_) if per_mesh.is_some() => {
@@ -73,6 +80,7 @@ fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
         web::Web::Square(w) => one("web.square", square(w.side.si(), w.mesh.si())),
         web::Web::Graph(w) => {
             let files = document.graph.as_ref().expect("a document of a graph has read its files");
+            Size::of_graph(files).require(document, "web.graph.ropes", "run it where there is more memory")?;
             graph(&listed(w, files, scenario)).map_err(|errors| {
                 let all = errors.into_iter().map(|error| graph_diagnostic(document, files, error)).collect();
                 Diagnostics::fail_if_any(all).expect_err("a web that is refused has errors")
@@ -183,6 +191,6 @@ fn merged(stubs: Vec<Merged>) -> Option<String> {
 }
 
 /// A length rounded to two significant digits.
-fn two_digits(length: f64) -> f64 {
+pub(super) fn two_digits(length: f64) -> f64 {
     format!("{length:.1e}").parse().unwrap_or(length)
 }

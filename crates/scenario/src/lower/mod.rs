@@ -5,6 +5,7 @@
 //! material  ropes, canopies and bodies as stiffness, damping and mass
 //! stowing   where the nodes lie
 //! launch    how fast they start
+//! size      whether the machine has the memory
 //! ```
 //!
 //! Everything that does not fit is reported at the place in the file that says so.
@@ -13,9 +14,11 @@ mod canopy_links;
 mod drawing;
 mod launch;
 mod material;
+mod size;
 mod stowing;
 
 pub use material::{Group, PlacedBody, Role};
+pub use size::Size;
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
@@ -27,20 +30,38 @@ use netcast_webs::{Audit, Bill, CutWeb};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::scenario::Scenario;
+use crate::solve::Solve;
 use material::Member;
 
-/// Share of the stability limit at which the energy balance of a thrown web closes to a few parts in a thousand,
-/// measured in docs/theory/slack-taut.md; and the share where ropes are hardly damped.
-const STEP_FRACTION: f64 = 0.25;
-const STEP_FRACTION_UNDAMPED: f64 = 0.15;
+/// The share of the stability limit at which a web's energy balance closes to what is asked, with a factor of two to
+/// spare; where the scenario does not give the share itself.
+///
+/// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
+/// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
+/// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
+fn step_fraction(system: &System, limit: &StepLimit, solve: &Solve) -> f64 {
+    let least = |s: &Segment| damping_ratio(s, limit.dt);
+    let ratio = system.segments().iter().map(least).fold(f64::INFINITY, f64::min);
+    let share = |asked: f64, undamped: f64, halved_at: f64| {
+        let at_a_quarter = undamped / (1.0 + ratio / halved_at);
+        0.25 * libm::pow(0.5 * asked / at_a_quarter, 1.0 / 3.5)
+    };
+    let all = share(solve.energy_tolerance.si(), 0.0069, 0.0055);
+    let web = share(solve.web_energy_tolerance.si(), 0.0101, 0.0123);
+    drawing::two_digits(all.min(web).clamp(0.01, LARGEST_FRACTION))
+}
 
-/// Damping time c/k over the stable step below which a segment counts as hardly damped: a damping ratio of about 0.01.
-const HARDLY_DAMPED: f64 = 0.02;
+/// Beyond, a step resolves the waves in a segment too poorly for tensions to be read, however the energy closes.
+const LARGEST_FRACTION: f64 = 0.6;
 
-/// The share of the stability limit that is chosen where the scenario does not say.
-fn step_fraction(system: &System, limit: &StepLimit) -> f64 {
-    let hardly_damped = |s: &Segment| s.damping < HARDLY_DAMPED * limit.dt * s.stiffness;
-    if system.segments().iter().any(hardly_damped) { STEP_FRACTION_UNDAMPED } else { STEP_FRACTION }
+/// How much larger a step must become for it to be worth a word.
+const NOTABLE: f64 = 1.3;
+
+/// A segment's damping as a share of its own critical damping, from what it is at the stability limit `dt` of a rope
+/// of such segments: c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
+fn damping_ratio(segment: &Segment, dt: f64) -> f64 {
+    let at_limit = segment.damping / (segment.stiffness * dt);
+    0.5 * at_limit / (1.0 + 4.0 * at_limit).sqrt()
 }
 
 /// A scenario ready to be simulated, with the names of its parts.
@@ -124,7 +145,7 @@ impl Model {
         .build()
         .map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
-        let chosen = step_fraction(&system, &limit);
+        let chosen = step_fraction(&system, &limit, &scenario.solve);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
         let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
@@ -164,6 +185,24 @@ impl Model {
     /// The largest step that is wanted, s: the scenario's share of the stable one.
     pub fn largest_dt(&self) -> f64 {
         self.scenario.solve.step_fraction.expect("it was chosen").si() * self.limit.dt
+    }
+
+    /// What would allow a larger step, in words; none where nothing bounds it.
+    pub fn step_lift(&self) -> Option<String> {
+        let StepLimit { dt, without_damping, elsewhere, segment, .. } = self.limit;
+        let group = &self.groups[self.system.segments()[segment?].class];
+        let what = match &group.rope {
+            Some(_) => format!("{} ropes", group.class.name()),
+            None => "canopies".to_owned(),
+        };
+        let times = |allowed: f64| format!("{:.1} times the step", allowed / dt);
+        Some(if without_damping > NOTABLE * dt {
+            format!("less damping in the {what} (without any, {})", times(without_damping))
+        } else if elsewhere.is_finite() && elsewhere > NOTABLE * dt {
+            format!("softer, heavier or longer segments in the {what} (the rest allows {})", times(elsewhere))
+        } else {
+            "longer or softer segments (solve.segment_length)".to_owned()
+        })
     }
 
     /// What a message calls a segment, such as "segment 12 of traction rope 3".

@@ -1,0 +1,136 @@
+//! How fast this machine is at this work, and how near to its limit.
+//!
+//! An *update* is one segment advanced by one step with all physics of a plain launch: tension, damping, gravity, mass
+//! damping, the sums of the energy ledger. The *limit* is one unbroken rope of as many segments in the same run: the
+//! same arithmetic on contiguous data at the same vector width, without knots. On several threads it is what one thread
+//! reaches on its share of the rope, times the threads.
+
+use std::time::{Duration, Instant};
+
+use glam::DVec3;
+use netcast_dynamics::state::State;
+use netcast_dynamics::system::{Segment, System, SystemParts};
+use netcast_dynamics::time::step::{Stepper, Vectors};
+use netcast_scenario::diagnostic::Source;
+use netcast_scenario::lower::Model;
+use netcast_scenario::{Diagnostics, Document};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Mesh sides along a side of the nets that are measured: 840, 3968, 29 928 and 119 024 segments.
+pub const MESHES: [usize; 4] = [14, 31, 86, 172];
+
+/// Net and limit are measured in turn, so often, and the best of each counts: a machine is never faster than it is.
+const ROUNDS: usize = 7;
+
+/// Time of one measurement.
+const SPELL: Duration = Duration::from_millis(120);
+
+/// One line of the bench.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Measurement {
+    /// Segments of the net.
+    pub segments: usize,
+    /// Threads used.
+    pub threads: usize,
+    /// Runs at the same time; with several, each has one of the threads.
+    pub runs: usize,
+    /// Segments advanced by one step, over all runs, 1/s.
+    pub updates_per_s: f64,
+    /// The same for unbroken ropes, 1/s.
+    pub limit_updates_per_s: f64,
+    /// One over the other.
+    pub fraction_of_limit: f64,
+    /// Width of the vectors that the engine uses here.
+    pub vector_bits: u32,
+}
+
+/// Measures a square net of `meshes` by `meshes` mesh sides, two segments each, on `threads` threads: one run on all of
+/// them, or `runs` at the same time, one a thread.
+///
+/// # Errors
+/// None that a user could cause; [`Diagnostics`] where the scenario of the bench is refused.
+pub fn measure(meshes: usize, threads: usize, runs: usize) -> Result<Measurement, Diagnostics> {
+    let net = model(&net_text(meshes))?;
+    let segments = net.system.segments().len();
+    let shares = if runs > 1 { runs } else { threads };
+    // of one run on several threads each has its share of the rope
+    let rope = rope(&net, if runs > 1 { segments } else { segments.div_ceil(threads) });
+    let (mut updates, mut limit) = (0.0, 0.0);
+    let dt = net.largest_dt();
+    let mut nets: Vec<Stepper> = (0..runs).map(|_| Stepper::new(&net.system, &net.state, dt, threads / runs)).collect();
+    let mut ropes: Vec<Stepper> = (0..shares).map(|_| Stepper::new(&rope.0, &rope.1, dt, 1)).collect();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+    for _ in 0..ROUNDS {
+        updates = f64::max(updates, pool.install(|| rate(&mut nets)));
+        limit = f64::max(limit, pool.install(|| rate(&mut ropes)));
+    }
+    Ok(Measurement {
+        segments,
+        threads,
+        runs,
+        updates_per_s: updates,
+        limit_updates_per_s: limit,
+        fraction_of_limit: updates / limit,
+        vector_bits: Vectors::Widest.bits(),
+    })
+}
+
+/// Updates a second of all of these at the same time.
+fn rate(steppers: &mut [Stepper]) -> f64 {
+    let one = |stepper: &mut Stepper| {
+        let segments = stepper.system().segments().len();
+        // so many steps between two looks at the clock that the clock costs nothing
+        let between = (200_000 / segments).max(1);
+        let (clock, mut steps) = (Instant::now(), 0);
+        while clock.elapsed() < SPELL {
+            (0..between).for_each(|_| {
+                std::hint::black_box(stepper.step());
+            });
+            steps += between;
+        }
+        (steps * segments) as f64 / clock.elapsed().as_secs_f64()
+    };
+    match steppers {
+        [only] => only.team().lead(|| one(only)),
+        several => several.par_iter_mut().map(one).sum(),
+    }
+}
+
+fn model(text: &str) -> Result<Model, Diagnostics> {
+    let source = Source { name: "bench.toml".into(), text: text.to_owned() };
+    Model::new(&Document::parse(source, "".as_ref(), &[])?)
+}
+
+/// The contract's square net at this size, thrown.
+fn net_text(meshes: usize) -> String {
+    let side = 0.5 * meshes as f64;
+    format!(
+        "[web.square]\nside = {side}\nmesh = 0.5\nsegments_per_mesh = 2\n[tractor.particle]\nmass = 0.5\n\
+         [stow.scale]\nfactor = 0.25\n[launch]\naxial_speed = 20\nradial_speed = 10\n{MATERIAL}"
+    )
+}
+
+/// One rope of so many segments of the net's make, cut loose and drawn out.
+fn rope(net: &Model, segments: usize) -> (System, State) {
+    let segment = net.system.segments()[0];
+    let mass = 2.0 * segment.stiffness * net.limit.dt * net.limit.dt;
+    let nodes = segments + 1;
+    let system = SystemParts {
+        mass: vec![mass; nodes],
+        held: vec![false; nodes],
+        tractor: vec![false; nodes],
+        segments: (0..segments).map(|i| Segment { ends: [i, i + 1], class: 0, ..segment }).collect(),
+        class_count: 1,
+        environment: *net.system.environment(),
+    };
+    let along = |node: usize| node as f64 / segments as f64;
+    let state = State {
+        position: (0..nodes).map(|node| DVec3::X * (0.25 * segment.rest_length * node as f64)).collect(),
+        velocity: (0..nodes).map(|node| DVec3::new(along(node), 0.0, (node % 5) as f64) * 10.0).collect(),
+    };
+    (system.build().expect("a rope is a system"), state)
+}
+
+const MATERIAL: &str = "[rope]\ndiameter = 0.002\ndensity = 1440\nelastic_modulus = 70e9\ndamping_ratio = 0.05\n\
+    [environment]\ndamping = 0.1\n[solve]\nduration = 0.6\n[record]\nevery = 0.01\n";

@@ -1,0 +1,139 @@
+//! `fields.part`: the fields of a run that is under way, appended to frame by frame.
+//!
+//! HDF5 cannot be appended to safely: a file that was not closed need not open again. So frames go to a journal, of which
+//! every whole frame is readable at any moment, and become `fields.vtkhdf` at the end of the run.
+//!
+//! ```text
+//! magic          "netcast fields 1"
+//! block          topology, by postcard
+//! block, ...     a frame: time, positions, velocities, tensions; f64, little-endian
+//! ```
+//!
+//! Blocks carry their length and a checksum; see `sealed.rs`.
+
+use std::fs::File;
+use std::io::{BufReader, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+
+use crate::tally::{Extent, Tally};
+use crate::vtkhdf::append_vectors;
+use crate::{FieldsTopology, FieldsWriter, ResultError, sealed};
+
+/// The first bytes of a journal; the number is that of the format.
+const MAGIC: &[u8; 16] = b"netcast fields 1";
+
+/// Appends frames to a journal.
+#[derive(Debug)]
+pub struct JournalWriter {
+    path: PathBuf,
+    file: BufWriter<Tally>,
+    frame: Vec<u8>,
+}
+
+impl JournalWriter {
+    /// A new journal at `path`.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn create(path: &Path, topology: &FieldsTopology) -> Result<Self, ResultError> {
+        let mut journal = Self::new(path, Tally::create(path).map_err(ResultError::write(path))?);
+        let topology = postcard::to_stdvec(topology).expect("plain data");
+        let written = journal.file.write_all(MAGIC).and_then(|()| sealed::write(&mut journal.file, &topology));
+        written.map_err(ResultError::write(path))?;
+        Ok(journal)
+    }
+
+    /// The journal at `path` as it was when it had come to `extent`; later frames are cut off. None where it does not
+    /// begin so.
+    ///
+    /// # Errors
+    /// [`ResultError::Read`].
+    pub fn reopen(path: &Path, extent: Extent) -> Result<Option<Self>, ResultError> {
+        let file = Tally::reopen(path, extent).map_err(ResultError::read(path))?;
+        Ok(file.map(|file| Self::new(path, file)))
+    }
+
+    fn new(path: &Path, file: Tally) -> Self {
+        Self { path: path.to_path_buf(), file: BufWriter::new(file), frame: Vec::new() }
+    }
+
+    /// Appends a frame: time in s, positions in m, velocities in m/s, tensions in N, of as many nodes and segments as
+    /// the topology has.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn push(
+        &mut self,
+        time: f64,
+        positions: &[DVec3],
+        velocities: &[DVec3],
+        tensions: &[f64],
+    ) -> Result<(), ResultError> {
+        self.frame.clear();
+        self.frame.extend(time.to_le_bytes());
+        append_vectors(&mut self.frame, positions);
+        append_vectors(&mut self.frame, velocities);
+        self.frame.extend(tensions.iter().flat_map(|tension| tension.to_le_bytes()));
+        sealed::write(&mut self.file, &self.frame).map_err(ResultError::write(&self.path))
+    }
+
+    /// Hands what was appended to the operating system, so that it outlasts this process.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn flush(&mut self) -> Result<(), ResultError> {
+        self.file.flush().map_err(ResultError::write(&self.path))
+    }
+
+    /// Flushes, and returns when what was appended outlasts a loss of power.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn sync(&mut self) -> Result<Extent, ResultError> {
+        self.flush()?;
+        self.file.get_ref().sync().map_err(ResultError::write(&self.path))?;
+        Ok(self.file.get_ref().extent())
+    }
+}
+
+/// The whole frames of a journal, and how many bytes after them are none.
+///
+/// # Errors
+/// [`ResultError::Read`], or [`ResultError::NotFields`] where not even the topology is whole.
+pub fn read_journal(path: &Path) -> Result<(FieldsWriter, u64), ResultError> {
+    let unreadable = || ResultError::read(path);
+    let file = File::open(path).map_err(unreadable())?;
+    let mut left = file.metadata().map_err(unreadable())?.len();
+    let mut file = BufReader::new(file);
+    let not_fields = |what: &str| ResultError::NotFields { path: path.to_path_buf(), what: what.to_owned() };
+
+    let mut magic = [0; MAGIC.len()];
+    if left < MAGIC.len() as u64 {
+        return Err(not_fields("it was cut off before its first frame"));
+    }
+    file.read_exact(&mut magic).map_err(unreadable())?;
+    if magic != *MAGIC {
+        return Err(not_fields("it is no journal of fields, or one of another version"));
+    }
+    left -= MAGIC.len() as u64;
+
+    let mut block = Vec::new();
+    if !sealed::read(&mut file, left, &mut block).map_err(unreadable())? {
+        return Err(not_fields("it was cut off before its first frame"));
+    }
+    left -= sealed::HEAD_BYTES + block.len() as u64;
+    let topology: FieldsTopology =
+        postcard::from_bytes(&block).map_err(|error| not_fields(&format!("its topology is damaged: {error}")))?;
+    if let Some(fault) = topology.fault() {
+        return Err(not_fields(&fault));
+    }
+    let frame_bytes = topology.frame_bytes();
+    let mut fields = FieldsWriter::new(topology)?;
+    while sealed::read(&mut file, left, &mut block).map_err(unreadable())? && Some(block.len()) == frame_bytes {
+        fields.push_bytes(&block);
+        left -= sealed::HEAD_BYTES + block.len() as u64;
+    }
+    Ok((fields, left))
+}

@@ -1,0 +1,137 @@
+//! History and fields of a run that is under way, on the disk as they come.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
+
+use crate::journal::{JournalWriter, read_journal};
+use crate::tally::{Extent, Tally};
+use crate::{FieldsTopology, FieldsWriter, ResultError, folder, history, read_fields, whole};
+
+/// Longest time on the clock that what was recorded stays in this process, where records are not further apart.
+const FLUSH_EVERY: Duration = Duration::from_secs(1);
+
+/// How far the files of a run had come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Written {
+    history: Extent,
+    fields: Extent,
+}
+
+/// Appends to `history.csv` and `fields.part`.
+pub struct Stream {
+    folder: PathBuf,
+    history: csv::Writer<Tally>,
+    fields: JournalWriter,
+    flushed: Instant,
+}
+
+impl Stream {
+    /// New files in `folder`.
+    ///
+    /// # Errors
+    /// [`ResultError`] names the file that cannot be written.
+    pub fn create(folder: &Path, columns: &[String], topology: &FieldsTopology) -> Result<Self, ResultError> {
+        let path = folder.join(folder::HISTORY);
+        let history = Tally::create(&path).map_err(ResultError::write(&path))?;
+        let fields = JournalWriter::create(&folder.join(folder::FIELDS_PART), topology)?;
+        let mut stream = Self::new(folder, history, fields);
+        stream.history.write_record(columns).map_err(ResultError::csv(&path))?;
+        stream.flush()?;
+        Ok(stream)
+    }
+
+    /// The files in `folder` as they were when they had come as far as `written` says; what follows is cut off.
+    ///
+    /// # Errors
+    /// [`ResultError::Changed`] names the file that does not begin as it did then.
+    pub fn reopen(folder: &Path, written: Written) -> Result<Self, ResultError> {
+        let path = folder.join(folder::HISTORY);
+        let changed = |path: PathBuf| move || ResultError::Changed { path };
+        let history = Tally::reopen(&path, written.history).map_err(ResultError::read(&path))?;
+        let history = history.ok_or_else(changed(path))?;
+        let path = folder.join(folder::FIELDS_PART);
+        let fields = JournalWriter::reopen(&path, written.fields)?.ok_or_else(changed(path))?;
+        Ok(Self::new(folder, history, fields))
+    }
+
+    fn new(folder: &Path, history: Tally, fields: JournalWriter) -> Self {
+        let history = csv::WriterBuilder::new().buffer_capacity(1 << 16).from_writer(history);
+        Self { folder: folder.to_path_buf(), history, fields, flushed: Instant::now() }
+    }
+
+    /// Appends a row to the history.
+    ///
+    /// # Errors
+    /// [`ResultError::Csv`].
+    pub fn row(&mut self, row: &[Option<f64>]) -> Result<(), ResultError> {
+        let written = self.history.write_record(history::cells(row));
+        written.map_err(ResultError::csv(&self.folder.join(folder::HISTORY)))
+    }
+
+    /// The fields.
+    pub fn fields(&mut self) -> &mut JournalWriter {
+        &mut self.fields
+    }
+
+    /// Flushes where it is time to.
+    ///
+    /// # Errors
+    /// As [`Stream::flush`].
+    pub fn keep_up(&mut self) -> Result<(), ResultError> {
+        if self.flushed.elapsed() < FLUSH_EVERY { Ok(()) } else { self.flush() }
+    }
+
+    /// Hands what was appended to the operating system, so that it outlasts this process.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn flush(&mut self) -> Result<(), ResultError> {
+        self.flushed = Instant::now();
+        self.history.flush().map_err(ResultError::write(&self.folder.join(folder::HISTORY)))?;
+        self.fields.flush()
+    }
+
+    /// Flushes, and returns when what was appended outlasts a loss of power.
+    ///
+    /// # Errors
+    /// [`ResultError::Write`].
+    pub fn sync(&mut self) -> Result<Written, ResultError> {
+        self.flush()?;
+        self.history.get_ref().sync().map_err(ResultError::write(&self.folder.join(folder::HISTORY)))?;
+        Ok(Written { history: self.history.get_ref().extent(), fields: self.fields.sync()? })
+    }
+
+    /// Closes the history and makes `fields.vtkhdf` of the fields.
+    ///
+    /// # Errors
+    /// [`ResultError`] where a file cannot be written.
+    pub fn finish(mut self) -> Result<(), ResultError> {
+        self.flush()?;
+        let part = self.folder.join(folder::FIELDS_PART);
+        let (fields, _) = read_journal(&part)?;
+        write_fields(&self.folder, fields)?;
+        std::fs::remove_file(&part).map_err(ResultError::write(&part))
+    }
+}
+
+/// Writes `fields.vtkhdf` into `folder`, whole or not at all.
+fn write_fields(folder: &Path, fields: FieldsWriter) -> Result<(), ResultError> {
+    whole::write(&folder.join(folder::FIELDS), |path| fields.finish(path))
+}
+
+/// Brings history and fields of the result in `from` back into the form that a run appends to, in `to`.
+///
+/// # Errors
+/// [`ResultError`] names the file that cannot be read or written.
+pub fn bring_back(from: &Path, to: &Path) -> Result<(), ResultError> {
+    let (old, new) = (from.join(folder::HISTORY), to.join(folder::HISTORY));
+    std::fs::copy(&old, &new).map_err(ResultError::read(&old))?;
+    let fields = read_fields(&from.join(folder::FIELDS))?;
+    let mut journal = JournalWriter::create(&to.join(folder::FIELDS_PART), &fields.topology)?;
+    for (frame, &time) in fields.times.iter().enumerate() {
+        journal.push(time, fields.positions(frame), fields.velocities(frame), fields.tensions(frame))?;
+    }
+    journal.flush()
+}

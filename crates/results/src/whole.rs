@@ -1,0 +1,51 @@
+//! Files that are there whole or not at all: written under another name, synced, renamed.
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::path::Path;
+
+use crate::ResultError;
+
+/// What the name of a file ends with until it is whole.
+pub const UNFINISHED: &str = ".new";
+
+/// Puts what `make` writes to the path that it is given in the place of `path`.
+///
+/// # Errors
+/// Those of `make`, or [`ResultError::Write`]; an older file is then still there.
+pub fn write(path: &Path, make: impl FnOnce(&Path) -> Result<(), ResultError>) -> Result<(), ResultError> {
+    let mut name = OsString::from(path.file_name().unwrap_or_default());
+    name.push(UNFINISHED);
+    let unfinished = path.with_file_name(name);
+    let written = make(&unfinished).and_then(|()| {
+        let synced = File::open(&unfinished).and_then(|file| file.sync_all());
+        synced.and_then(|()| fs::rename(&unfinished, path)).map_err(ResultError::write(path))
+    });
+    if written.is_err() {
+        // the first error is the one to tell
+        let _ = fs::remove_file(&unfinished);
+    }
+    written
+}
+
+/// Syncs a folder's own list of names, where the system can, so that a rename in it outlasts a loss of power.
+pub fn sync_folder(folder: &Path) {
+    // nothing can be done where this fails, and the files themselves are synced
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
+}
+
+/// Syncs every file below `folder`.
+///
+/// # Errors
+/// [`ResultError::Write`].
+pub fn sync_all(folder: &Path) -> Result<(), ResultError> {
+    for entry in fs::read_dir(folder).map_err(ResultError::read(folder))? {
+        let path = entry.map_err(ResultError::read(folder))?.path();
+        match path.is_dir() {
+            true => sync_all(&path)?,
+            false => File::open(&path).and_then(|file| file.sync_all()).map_err(ResultError::write(&path))?,
+        }
+    }
+    sync_folder(folder);
+    Ok(())
+}

@@ -1,0 +1,90 @@
+//! How much memory a run takes, estimated before anything large is made.
+//!
+//! The figures per item are peaks of whole runs, measured with some to spare. A test of the command holds them to runs
+//! that may take no more than this.
+
+use netcast_webs::{MOST_SEGMENTS, Web};
+
+use super::MOST_ROWS;
+use crate::csv_files::GraphFiles;
+use crate::diagnostic::Diagnostics;
+use crate::document::Document;
+use crate::memory::{available, in_words};
+use crate::scenario::Scenario;
+
+/// Bytes of a run for each knot with its name, each rope with its label, and each segment with its node.
+const KNOT: f64 = 500.0;
+const ROPE: f64 = 400.0;
+const SEGMENT: f64 = 700.0;
+
+/// Copies of the recorded fields in memory while their file and the report are written.
+const COPIES: f64 = 2.5;
+
+/// Bytes of a row of the history.
+const ROW: f64 = 1500.0;
+
+/// What a run's memory grows with.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Size {
+    /// Knots of the web.
+    pub knots: f64,
+    /// Its ropes.
+    pub ropes: f64,
+    /// Segments that they are cut into.
+    pub segments: f64,
+    /// Rows of the history.
+    pub rows: f64,
+    /// Frames of the fields.
+    pub frames: f64,
+}
+
+impl Size {
+    /// That of a graph before it is drawn: at least a segment a rope.
+    pub(super) fn of_graph(files: &GraphFiles) -> Self {
+        let (knots, ropes) = (files.nodes.len() as f64, files.ropes.len() as f64);
+        Self { knots, ropes, segments: ropes, ..Self::default() }
+    }
+
+    /// That of a web before it is cut into segments of this length, m.
+    pub(super) fn of_web(web: &Web, segment_length: f64) -> Self {
+        let cut = web.ropes.iter().map(|rope| match rope.segments {
+            Some(segments) => segments as f64,
+            None => (web.rest_length(rope) / segment_length).round().max(1.0),
+        });
+        Self { knots: web.knots.len() as f64, ropes: web.ropes.len() as f64, segments: cut.sum(), ..Self::default() }
+    }
+
+    /// With what is recorded of it.
+    pub(super) fn recorded(self, scenario: &Scenario) -> Self {
+        let (duration, record) = (scenario.solve.duration.si(), &scenario.record);
+        let frames =
+            duration / record.fields_every.map_or(record.every.si(), |every| every.si().max(record.every.si()));
+        Self { rows: duration / record.every.si(), frames: frames + 1.0, ..self }
+    }
+
+    /// Bytes that a run takes.
+    pub fn bytes(&self) -> f64 {
+        let nodes = (self.knots + self.segments - self.ropes).max(0.0);
+        // positions, velocities, tensions
+        let frame = (6.0 * nodes + self.segments) * size_of::<f64>() as f64;
+        KNOT * self.knots + ROPE * self.ropes + SEGMENT * self.segments + ROW * self.rows + COPIES * frame * self.frames
+    }
+
+    /// That the machine has the memory; the refusal stands at `path`. What is beyond every machine is refused elsewhere,
+    /// with its own bounds.
+    pub(super) fn require(&self, document: &Document, path: &str, help: &str) -> Result<(), Diagnostics> {
+        let Self { knots, ropes, segments, rows, frames } = self;
+        let (needed, Some(available)) = (self.bytes(), available()) else { return Ok(()) };
+        if needed <= available || *segments > MOST_SEGMENTS as f64 || *rows > MOST_ROWS {
+            return Ok(());
+        }
+        let recorded = if *frames > 0.0 { format!(" recorded {frames:.0} times") } else { String::new() };
+        let message = format!(
+            "{segments:.0} segments in {ropes:.0} ropes between {knots:.0} knots{recorded} take about {} of memory, and \
+             this machine has {} to give",
+            in_words(needed),
+            in_words(available),
+        );
+        Err(document.diagnostic(path, message).with_help(help).into())
+    }
+}

@@ -1,0 +1,43 @@
+//! Which scenarios are small enough to be drawn for every input: a fuzzer tries thousands a second.
+
+use netcast_scenario::Document;
+use netcast_scenario::canopy::Canopy;
+use netcast_scenario::web::Web;
+
+/// Most cells along a side, and most segments along the web's size.
+const MOST_CELLS: f64 = 12.0;
+const MOST_SEGMENTS: f64 = 100.0;
+const MOST_PARALLEL: u32 = 4;
+
+/// Whether drawing and cutting its web takes milliseconds.
+pub fn is_small(document: &Document) -> bool {
+    let scenario = &document.scenario;
+    let (size, cells, per_cell) = match &scenario.web {
+        Web::Traditional(web) => (web.side.si(), f64::from(web.cells_per_side.get()), 1),
+        Web::Topological(web) => (web.side.si(), web.side.si() / web.hexagon_side.si(), 1),
+        Web::Space(web) => {
+            let Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
+            (web.side.si(), web.side.si() / canopy.side.si(), 1)
+        }
+        Web::Square(web) => {
+            let per_mesh = web.segments_per_mesh.map_or(1, |count| count.get());
+            (web.side.si(), web.side.si() / web.mesh.si(), per_mesh)
+        }
+        Web::Graph(_) => {
+            let files = document.graph.as_ref().expect("a document of a graph has read its files");
+            let largest =
+                files.nodes.iter().flat_map(|node| node.position_m).fold(0.0, |most: f64, x| most.max(x.abs()));
+            let rests = files.ropes.iter().filter_map(|rope| rope.rest_length_m).fold(0.0, f64::max);
+            let segments = files.ropes.iter().filter_map(|rope| rope.segments).max().map_or(1, |count| count.get());
+            (2.0 * largest.max(rests), 1.0, segments)
+        }
+    };
+    let (traction, parallel) =
+        scenario.traction_rope.as_ref().map_or((0.0, 1), |ropes| (ropes.length.si(), ropes.count.get()));
+    // left out, it is a share of the web's size
+    let segment_length = scenario.solve.segment_length.map_or(size / 10.0, |length| length.si());
+    cells <= MOST_CELLS
+        && f64::from(per_cell) <= MOST_SEGMENTS
+        && size.max(traction) <= MOST_SEGMENTS * segment_length
+        && parallel <= MOST_PARALLEL
+}

@@ -1,0 +1,180 @@
+//! A run that is interrupted and goes on gives the bytes of one that was not: for everything that a scenario can hold,
+//! wherever it is interrupted, on any number of threads.
+
+mod scenarios;
+
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use netcast::results::{CheckpointEvery, ResultError, folder};
+use netcast::{Document, Ran, RunError, RunOptions, run};
+use tempfile::TempDir;
+
+use scenarios::{SCENARIOS, missing, read, write_files};
+
+/// A folder with the files that scenarios name.
+fn workbench() -> TempDir {
+    let workbench = TempDir::new().unwrap();
+    write_files(workbench.path());
+    workbench
+}
+
+fn options(threads: usize, resume: bool) -> RunOptions {
+    RunOptions { threads, resume, checkpoint_every: CheckpointEvery::Never }
+}
+
+/// Runs until so many records were taken, and says how many that were.
+fn run_for(document: &Document, target: &Path, options: &RunOptions, records: usize) -> (Ran, usize) {
+    let taken = AtomicUsize::new(0);
+    let mut count = |_| {
+        taken.fetch_add(1, Ordering::Relaxed);
+    };
+    let enough = || taken.load(Ordering::Relaxed) >= records;
+    let ran = run(document, target, options, &mut count, &enough).unwrap_or_else(|error| panic!("{error}"));
+    (ran, taken.into_inner())
+}
+
+fn run_to_end(document: &Document, target: &Path, options: &RunOptions) -> usize {
+    let (ran, records) = run_for(document, target, options, usize::MAX);
+    assert!(ran.summary.finished && !ran.can_resume, "{:?}", ran.failure);
+    assert!(!target.join(folder::CHECKPOINT).exists());
+    records
+}
+
+/// The files that must not differ; the summary without the one number that may.
+fn bytes(target: &Path) -> [(&'static str, Vec<u8>); 4] {
+    let read = |name: &str| fs::read(target.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let summary = String::from_utf8(read(folder::SUMMARY)).unwrap();
+    let told: Vec<&str> = summary.lines().filter(|line| !line.contains("\"wall_time_s\"")).collect();
+    [
+        (folder::HISTORY, read(folder::HISTORY)),
+        (folder::FIELDS, read(folder::FIELDS)),
+        (folder::LANDMARKS, read(folder::LANDMARKS)),
+        (folder::SUMMARY, told.join("\n").into_bytes()),
+    ]
+}
+
+#[track_caller]
+fn assert_same(whole: &Path, resumed: &Path, of: &str) {
+    for ((name, one), (_, other)) in bytes(whole).into_iter().zip(bytes(resumed)) {
+        assert!(one == other, "{of}: {name} is not that of the run that was not interrupted");
+    }
+}
+
+/// Interrupts at the `records`-th record on so many threads, and goes on on others.
+fn interrupt(document: &Document, target: &Path, records: usize, threads: [usize; 2]) {
+    let (ran, taken) = run_for(document, target, &options(threads[0], false), records);
+    assert!(!ran.summary.finished && ran.can_resume && taken == records, "{taken} records of {records}");
+    assert!(target.join(folder::CHECKPOINT).exists() && target.join(folder::FIELDS).exists());
+    run_to_end(document, target, &options(threads[1], true));
+}
+
+#[test]
+fn the_scenarios_hold_everything_that_a_scenario_can_hold() {
+    assert_eq!(missing(), [""; 0], "give tests/resume/scenarios.rs a scenario with it");
+}
+
+#[test]
+fn whatever_a_run_holds_it_goes_on_to_the_same_bytes() {
+    let workbench = workbench();
+    let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
+    for (name, text) in SCENARIOS {
+        let document = read(text, workbench.path());
+        let records = run_to_end(&document, &whole, &options(1, false));
+        assert!((8..=30).contains(&records), "{name} has {records} records");
+        for at in [1, 2, records / 2, records - 1] {
+            interrupt(&document, &resumed, at, [2, 3]);
+            assert_same(&whole, &resumed, &format!("{name}, interrupted at record {at} of {records}"));
+        }
+    }
+}
+
+/// Fine enough that the work is shared out; pulled everywhere from the start, so that every segment counts.
+#[test]
+fn a_large_net_goes_on_on_any_number_of_threads() {
+    const NET: &str = r#"
+web.square = { side = "2 m", mesh = "0.02 m", segments_per_mesh = 1 }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", pretension = "5 N" }
+tractor.particle.mass = "0.3 kg"
+launch.radial_speed = "10 m/s"
+solve.duration = "60 us"
+record.every = "20 us"
+"#;
+    let workbench = workbench();
+    let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
+    let document = read(NET, workbench.path());
+    run_to_end(&document, &whole, &options(1, false));
+    for threads in [[1, 2], [2, 3], [3, 1]] {
+        interrupt(&document, &resumed, 2, threads);
+        assert_same(&whole, &resumed, &format!("{threads:?} threads"));
+    }
+}
+
+#[test]
+fn a_run_that_is_interrupted_at_every_record_comes_to_the_same_end() {
+    let workbench = workbench();
+    let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
+    let (_, text) = SCENARIOS[0];
+    let document = read(text, workbench.path());
+    run_to_end(&document, &whole, &options(1, false));
+    let (mut ran, _) = run_for(&document, &resumed, &options(1, false), 1);
+    let mut times = 1;
+    while ran.can_resume {
+        (ran, _) = run_for(&document, &resumed, &options(1, true), 1);
+        times += 1;
+    }
+    assert!(times > 15, "{times}");
+    assert_same(&whole, &resumed, "interrupted at every record");
+}
+
+#[test]
+fn checkpoints_on_the_way_change_nothing() {
+    let workbench = workbench();
+    let (whole, kept) = (workbench.path().join("whole"), workbench.path().join("kept"));
+    let (_, text) = SCENARIOS[3];
+    let document = read(text, workbench.path());
+    run_to_end(&document, &whole, &options(1, false));
+    for every in [CheckpointEvery::Simulated(1e-9), CheckpointEvery::Clock(Default::default())] {
+        run_to_end(&document, &kept, &RunOptions { checkpoint_every: every, ..options(1, false) });
+        assert_same(&whole, &kept, "checkpointed at every record");
+    }
+}
+
+#[test]
+fn only_the_same_run_goes_on_and_what_differs_is_told() {
+    let workbench = workbench();
+    let target = workbench.path().join("net");
+    let (_, text) = SCENARIOS[7];
+    run_for(&read(text, workbench.path()), &target, &options(1, false), 3);
+    let before = bytes(&target);
+
+    let faster = text.replace("20 m/s", "30 m/s");
+    let refused = run(&read(&faster, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
+    let told = refused.unwrap_err().to_string();
+    assert!(told.contains("launch.axial_speed was \"20 m/s\" and is \"30 m/s\""), "{told}");
+
+    let nodes = fs::read_to_string(workbench.path().join("nodes.csv")).unwrap();
+    fs::write(workbench.path().join("nodes.csv"), nodes.replace("0.1", "0.2")).unwrap();
+    let refused = run(&read(text, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
+    let told = refused.unwrap_err().to_string();
+    assert!(told.contains("nodes.csv has changed"), "{told}");
+
+    // and nothing was touched
+    assert!(bytes(&target) == before);
+    assert!(!workbench.path().join("net.running").exists());
+    fs::write(workbench.path().join("nodes.csv"), nodes).unwrap();
+    run_to_end(&read(text, workbench.path()), &target, &options(1, true));
+}
+
+#[test]
+fn a_run_that_came_to_its_end_does_not_go_on() {
+    let workbench = workbench();
+    let target = workbench.path().join("net");
+    let document = read(SCENARIOS[8].1, workbench.path());
+    let resumed = || run(&document, &target, &options(1, true), &mut |_| {}, &|| false);
+    let nothing = |error: RunError| matches!(error, RunError::Result(ResultError::NothingToResume { .. }));
+    assert!(nothing(resumed().unwrap_err()));
+    run_to_end(&document, &target, &options(1, false));
+    assert!(nothing(resumed().unwrap_err()));
+}

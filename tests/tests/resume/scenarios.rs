@@ -1,0 +1,279 @@
+//! Scenarios that together hold everything a scenario can hold; small, and short.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use netcast::Document;
+use netcast::scenario::diagnostic::Source;
+use netcast::scenario::schema;
+use netcast::scenario::tree::{Tree, Value};
+use serde_json::{Map, Value as Json};
+
+/// What a scenario is called, and its text.
+pub const SCENARIOS: [(&str, &str); 9] = [
+    (
+        "space web, everything on board",
+        r#"
+title = "Everything on board"
+web.space.side = "1 m"
+canopy.links = { side = "0.1 m", thickness = "5 mm", density = 2000, elastic_modulus = "9 GPa", damping_ratio = 0.1 }
+payload.cylinder = { diameter = "60 mm", height = "66 mm", density = 2710 }
+sensor.cylinder.mass = "0.2 kg"
+tractor.cylinder = { diameter = "50 mm", height = "0.1 m", density = 7800 }
+traction_rope = { length = "0.5 m", count = 2 }
+launch = { axial_speed = "50 m/s", radial_speed = "30 m/s", elevation = "60 deg", azimuth = "20 deg" }
+environment = { gravity = "3.7 m/s^2", damping = "8 1/s" }
+measure.target_diameter = "1 m"
+record = { every = "0.1 ms", fields_every = "0.3 ms" }
+
+[rope]
+diameter = "3 mm"
+density = 1440
+elastic_modulus = "70 GPa"
+damping_time = "2 us"
+pretension = 0
+strength = "5 kN"
+knot_reduction = 0.3
+
+[stow.bag]
+radius = "0.2 m"
+depth = "0.1 m"
+tractor_radius = "0.25 m"
+tractor_gap = "0.2 m"
+
+[solve]
+duration = "1.95 ms"
+segment_length = "0.2 m"
+step_fraction = 0.3
+energy_tolerance = 0.5
+web_energy_tolerance = 0.5
+on_energy_error = "flag"
+"#,
+    ),
+    (
+        "space web, the other bodies",
+        r#"
+web.space.side = "1 m"
+payload.cylinder.mass = "0.1 kg"
+sensor.cylinder = { diameter = "50 mm", height = "50 mm", density = 2000 }
+tractor.particle.mass = "1 kg"
+stow.scale.factor = 0.5
+launch.radial_speed = "30 m/s"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", damping_ratio = 0.2 }
+solve = { duration = "2 ms", segment_length = "0.2 m", on_energy_error = "stop" }
+record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "space web, bodies without size",
+        r#"
+web.space.side = "1 m"
+payload.particle.mass = "0.1 kg"
+sensor.particle.mass = "0.2 kg"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "2 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "traditional web, no two tractors alike",
+        r#"
+web.traditional = { side = "1 m", cells_per_side = 3 }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+ropes.thick = { diameter = "6 mm", density = 1440, elastic_modulus = "7 GPa", strength = "9 kN", knot_reduction = 0.2, damping_ratio = 0 }
+assign.outline = "thick"
+tractor.cylinder.mass = "0.4 kg"
+stow.bag.radius = "0.3 m"
+launch = { axial_speed = "20 m/s", radial_speed = "20 m/s" }
+solve = { duration = "4 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+
+[[tractors]]
+corner = 2
+particle.mass = "0.9 kg"
+axial_speed = "25 m/s"
+radial_speed = "15 m/s"
+elevation = "80 deg"
+azimuth = "10 deg"
+
+[[tractors]]
+corner = 5
+cylinder = { diameter = "50 mm", height = "80 mm", density = 7800 }
+
+[[tractors]]
+corner = 6
+cylinder.mass = "0.7 kg"
+"#,
+    ),
+    (
+        "topological web, pulled while it hangs",
+        r#"
+web.topological = { side = "1 m", hexagon_side = "0.1 m" }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+ropes.soft = { diameter = "3 mm", density = 970, elastic_modulus = "1 GPa", damping_time = "5 us" }
+assign.radial = "soft"
+tractor.particle.mass = "0.5 kg"
+traction_rope.length = "0.4 m"
+launch.axial_speed = "-30 m/s"
+solve = { duration = "3 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "square net held at its corners, falling",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m", segments_per_mesh = 2 }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "1 GPa", pretension = "20 N" }
+ropes.lashing = { diameter = "4 mm", density = 1440, elastic_modulus = "1 GPa", pretension = "40 N" }
+assign.outline = "lashing"
+hold.corners = true
+solve.duration = "40 ms"
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "square net, thrown, recorded out of step",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+stow.scale.factor = 0.25
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+environment.gravity = 0
+solve.duration = "50 ms"
+record = { every = "7 ms", fields_every = "14 ms" }
+"#,
+    ),
+    (
+        "graph, stowed from a file, one knot held",
+        r#"
+web.graph = { nodes = "nodes.csv", ropes = "ropes.csv", outline = ["a", "b", "c", "d"], corners = ["a", "b", "c"] }
+stow.file.path = "stowed.csv"
+points = { B = "m" }
+hold = { corners = false, nodes = ["d"] }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+ropes.thick = { diameter = "5 mm", density = 1140, elastic_modulus = "1 GPa" }
+tractor.particle.mass = "0.3 kg"
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "60 ms", segment_length = "0.2 m" }
+record.every = "4 ms"
+"#,
+    ),
+    (
+        "graph that moves by itself",
+        r#"
+web.graph = { nodes = "moving.csv", ropes = "ropes.csv" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+ropes.thick = { diameter = "5 mm", density = 1140, elastic_modulus = "1 GPa" }
+solve.duration = "12 ms"
+"#,
+    ),
+];
+
+/// The files that the graphs name: every column that such files can have.
+const FILES: [(&str, &str); 4] = [
+    ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
+    (
+        "moving.csv",
+        "id,x,y,z,mass,fixed,vx,vy,vz\na,1,1,0,0,1,0,0,0\nb,-1,1,0,0,0,-3,0,8\nc,-1,-1,0,0.2,0,0,0,0\n\
+         d,1,-1,0,0,0,4,-4,0\nm,0,0,0,0.1,0,0,0,20\n",
+    ),
+    (
+        "ropes.csv",
+        "a,b,class,rope,rest_length,pretension,segments\na,b,outline,,,,\nb,c,outline,thick,2.1,,\nc,d,outline,,,5,\n\
+         d,a,outline,,,,3\na,m,radial,,,,\nb,m,radial,,,,\nc,m,radial,,,,\nd,m,radial,,,,\n",
+    ),
+    ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),
+];
+
+/// Puts the files that scenarios name into `folder`.
+pub fn write_files(folder: &Path) {
+    for (name, text) in FILES {
+        fs::write(folder.join(name), text).unwrap();
+    }
+}
+
+/// Reads a scenario, its files in `folder`.
+pub fn read(text: &str, folder: &Path) -> Document {
+    let source = Source { name: "scenario.toml".into(), text: text.into() };
+    Document::parse(source, folder, &[]).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Every key, variant and choice that the schema knows and no scenario has, and every optional section that none does
+/// without. What is added to the schema is missing here until a scenario has it.
+pub fn missing() -> Vec<String> {
+    let mut missing = BTreeSet::new();
+    let trees: Vec<Tree> =
+        SCENARIOS.iter().map(|(name, text)| Tree::parse(text).unwrap_or_else(|_| panic!("{name}"))).collect();
+    let roots: Vec<&Value> = trees.iter().map(|tree| &tree.root.value).collect();
+    walk(schema().as_object().unwrap(), "", &roots, &mut missing);
+    let required: Vec<&Json> = schema()["required"].as_array().unwrap().iter().collect();
+    for key in
+        schema()["properties"].as_object().unwrap().keys().filter(|key| !required.contains(&&Json::from(&key[..])))
+    {
+        if roots.iter().all(|root| child(root, key).is_some()) {
+            missing.insert(format!("a scenario without {key}"));
+        }
+    }
+    missing.into_iter().collect()
+}
+
+fn child<'v>(value: &'v Value, key: &str) -> Option<&'v Value> {
+    value.as_table()?.0.iter().find(|entry| entry.key == key).map(|entry| &entry.node.value)
+}
+
+/// Looks for what `schema` allows at `path` among the values that scenarios have there.
+fn walk(schema: &Map<String, Json>, path: &str, values: &[&Value], missing: &mut BTreeSet<String>) {
+    let mut below = |step: String, schema: &Json, values: Vec<&Value>| {
+        let path = format!("{path}{step}");
+        match schema.as_object() {
+            _ if values.is_empty() => drop(missing.insert(path)),
+            Some(schema) => walk(schema, &path, &values, missing),
+            None => {}
+        }
+    };
+    let named = |key: &str| values.iter().filter_map(|value| child(value, key)).collect();
+    let objects = |of: &str| schema.get(of).and_then(Json::as_object).into_iter().flatten();
+    for (key, content) in objects("properties") {
+        below(format!(".{key}"), content, named(key));
+    }
+    for branch in schema.get("oneOf").and_then(Json::as_array).into_iter().flatten() {
+        for (variant, content) in branch.get("properties").and_then(Json::as_object).into_iter().flatten() {
+            below(format!(".{variant}"), content, named(variant));
+        }
+        if let Some(choice) = branch.get("const") {
+            below(format!(" = {choice}"), &Json::Null, equal(values, choice));
+        }
+    }
+    for choice in schema.get("enum").and_then(Json::as_array).into_iter().flatten() {
+        below(format!(" = {choice}"), &Json::Null, equal(values, choice));
+    }
+    if schema.get("type") == Some(&Json::from("boolean")) {
+        for choice in [true, false] {
+            below(format!(" = {choice}"), &Json::Null, equal(values, &Json::from(choice)));
+        }
+    }
+    // keys of the user's own, elements of a list
+    if let Some(content) = schema.get("additionalProperties").filter(|content| content.is_object()) {
+        let all = values.iter().filter_map(|value| value.as_table());
+        below(".NAME".into(), content, all.flat_map(|table| &table.0).map(|entry| &entry.node.value).collect());
+    }
+    if let Some(content) = schema.get("items") {
+        let elements = values.iter().flat_map(|value| match value {
+            Value::Array(elements) => &elements[..],
+            _ => &[],
+        });
+        below("[]".into(), content, elements.map(|element| &element.value).collect());
+    }
+}
+
+/// The values that are this choice.
+fn equal<'v>(values: &[&'v Value], choice: &Json) -> Vec<&'v Value> {
+    let is = |value: &Value| match value {
+        Value::String(text) => *choice == text[..],
+        Value::Boolean(value) => *choice == *value,
+        _ => false,
+    };
+    values.iter().copied().filter(|value| is(value)).collect()
+}
