@@ -120,9 +120,6 @@ pub fn schedule(model: &Model) -> Schedule {
 ///
 /// While it runs, what it has is in `<target>.running`, and outlasts a crash.
 ///
-/// Where the scenario leaves the step to us and the energy balance misses what is asked of it, the run is made again with a
-/// smaller step, twice at most.
-///
 /// # Errors
 /// [`RunError`], with nothing written, where the input is wrong, `target` cannot be written, or there is nothing to
 /// resume; [`RunError::CutOff`] where results cannot be written any more. A run that goes wrong on the way is no
@@ -134,38 +131,8 @@ pub fn run(
     progress: &mut (dyn FnMut(Progress) + Send),
     interrupted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Ran, RunError> {
-    let ours = document.scenario.solve.step_fraction.is_none() && !options.resume;
-    let mut document = document.clone();
-    let mut again = Vec::new();
-    loop {
-        let ran = run_once(&document, target, options, progress, interrupted, &again)?;
-        let Some(Failure::Unbalanced { found, smaller, .. }) = ran.failure else { return Ok(ran) };
-        if !ours || again.len() == MOST_REPEATS {
-            return Ok(ran);
-        }
-        document = document.with_step_fraction(smaller);
-        again.push(format!(
-            "with a larger step the energy balance missed its tolerance ({found:.3} %): run again with \
-             solve.step_fraction = {smaller}"
-        ));
-    }
-}
-
-/// How often a run is made again with a smaller step.
-const MOST_REPEATS: usize = 2;
-
-/// One run with the step that `document` gives or leaves to us; `notes` are for its summary.
-fn run_once(
-    document: &Document,
-    target: &Path,
-    options: &RunOptions,
-    progress: &mut (dyn FnMut(Progress) + Send),
-    interrupted: &(dyn Fn() -> bool + Sync),
-    notes: &[String],
-) -> Result<Ran, RunError> {
     let clock = Instant::now();
-    let mut model = Model::new(document)?;
-    model.notes.extend_from_slice(notes);
+    let model = Model::new(document)?;
     let inputs = Inputs::new(document, &model)?;
     let input_hash = inputs.hash();
     let (mut folder, checkpoint) = match options.resume {

@@ -6,7 +6,6 @@ use crate::check;
 use crate::csv_files::{GraphFiles, StowRow, read_graph, read_stow};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::path::Path;
-use crate::quantity::Number;
 use crate::rules;
 use crate::scenario::Scenario;
 use crate::text_file::read_text;
@@ -29,13 +28,6 @@ pub struct Document {
 }
 
 impl Document {
-    /// The same with another step, as a share of the largest stable one; between 0 and 1.
-    pub fn with_step_fraction(&self, fraction: f64) -> Document {
-        let mut document = self.clone();
-        document.scenario.solve.step_fraction = Some(Number::constant(fraction));
-        document
-    }
-
     /// Reads the scenario in `file` and the files it names. Each override is `path=value`, as after `--set`.
     ///
     /// # Errors

@@ -24,7 +24,7 @@ mod later;
 pub mod launch;
 pub mod lower;
 pub mod measure;
-pub mod memory;
+mod memory;
 pub mod nearest;
 mod overrides;
 pub mod path;

@@ -170,7 +170,8 @@ fn nearest_to_middle(web: &Web) -> Vec<usize> {
     let distance = |knot: &usize| web.knots[*knot].position.distance(web.middle);
     let knots = 0..web.knots.len();
     let nearest = knots.clone().map(|knot| distance(&knot)).fold(f64::INFINITY, f64::min);
-    knots.filter(|knot| distance(knot) <= nearest + SAME_DISTANCE * web.radius()).collect()
+    let most = nearest + SAME_DISTANCE * web.radius();
+    knots.filter(|knot| distance(knot) <= most).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! `netcast check`
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use netcast::dynamics::time::step::Stepper;
@@ -108,13 +108,14 @@ fn cost(model: &Model) {
     ]);
 }
 
-/// Time of a step on this machine, s, from a few.
+/// Time of a step on this machine, s, from as many as fit into a moment.
 fn step_time(model: &Model, dt: f64) -> f64 {
-    const STEPS: u32 = 200;
+    const MOMENT: Duration = Duration::from_millis(50);
     let mut net = Stepper::new(&model.system, &model.state, dt, 1);
-    let clock = Instant::now();
-    for _ in 0..STEPS {
+    let (clock, mut steps) = (Instant::now(), 0);
+    while steps < 200 && clock.elapsed() < MOMENT {
         net.step();
+        steps += 1;
     }
-    clock.elapsed().as_secs_f64() / f64::from(STEPS)
+    clock.elapsed().as_secs_f64() / f64::from(steps)
 }

@@ -18,7 +18,6 @@ mod size;
 mod stowing;
 
 pub use material::{Group, PlacedBody, Role};
-pub use size::Size;
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};

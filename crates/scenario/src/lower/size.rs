@@ -25,17 +25,17 @@ const ROW: f64 = 1500.0;
 
 /// What a run's memory grows with.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Size {
+pub(super) struct Size {
     /// Knots of the web.
-    pub knots: f64,
+    knots: f64,
     /// Its ropes.
-    pub ropes: f64,
+    ropes: f64,
     /// Segments that they are cut into.
-    pub segments: f64,
+    segments: f64,
     /// Rows of the history.
-    pub rows: f64,
+    rows: f64,
     /// Frames of the fields.
-    pub frames: f64,
+    frames: f64,
 }
 
 impl Size {
@@ -63,7 +63,7 @@ impl Size {
     }
 
     /// Bytes that a run takes.
-    pub fn bytes(&self) -> f64 {
+    fn bytes(&self) -> f64 {
         let nodes = (self.knots + self.segments - self.ropes).max(0.0);
         // positions, velocities, tensions
         let frame = (6.0 * nodes + self.segments) * size_of::<f64>() as f64;
