@@ -27,7 +27,7 @@ fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
     assert_eq!(value("model"), "65 nodes, 80 segments");
     assert_eq!(value("area inside the outline"), "4.0000 m^2 flat");
     assert!(value("longest stretch").starts_with("none"), "{said}");
-    assert!(value("step").contains(" us, at most 34.0 % of the stable "), "{said}");
+    assert!(value("step").contains(" us, at most 28.0 % of the stable "), "{said}");
     assert!(value("records").starts_with("11, "), "{said}");
     let step: Vec<&str> = said.lines().filter(|line| line.contains("which segment")).collect();
     assert_eq!(step.len(), 1, "{said}");

@@ -32,7 +32,7 @@ use crate::scenario::Scenario;
 use crate::solve::Solve;
 use material::Member;
 
-/// The share of the stability limit at which a web's energy balance closes to what is asked, with a third to
+/// The share of the stability limit at which a web's energy balance closes to what is asked, with room to
 /// spare; where the scenario does not give the share itself.
 ///
 /// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
@@ -53,8 +53,8 @@ fn step_fraction(system: &System, limit: &StepLimit, solve: &Solve) -> f64 {
 /// Beyond, a step resolves the waves in a segment too poorly for tensions to be read, however the energy closes.
 const LARGEST_FRACTION: f64 = 0.6;
 
-/// The share of the tolerance that is aimed at.
-const AIM: f64 = 0.65;
+/// The share of the tolerance that is aimed at: a net of 30,000 segments closes two and a half times worse than the law.
+const AIM: f64 = 0.35;
 
 /// How much larger a step must become for it to be worth a word.
 const NOTABLE: f64 = 1.3;
