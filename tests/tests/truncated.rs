@@ -15,7 +15,7 @@ web.square = { side = "1 m", mesh = "1 m", segments_per_mesh = 1 }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
 tractor.particle.mass = "0.3 kg"
 launch.radial_speed = "1 m/s"
-solve.duration = "10 ms"
+solve = { duration = "10 ms", on_energy_error = "flag" }
 record = { every = "1 ms", fields_every = "2 ms" }
 "#;
 

@@ -78,7 +78,9 @@ impl Complaint {
 /// How a failure can be lived with, where it can.
 fn accept(failure: &Failure) -> &'static str {
     match failure {
-        Failure::Unbalanced { .. } => "       or accept it with --set solve.on_energy_error=flag\n",
+        Failure::Unbalanced { .. } | Failure::Unresolved { .. } => {
+            "       or accept it with --set solve.on_energy_error=flag\n"
+        }
         Failure::Stopped(_) => "",
     }
 }
@@ -97,6 +99,7 @@ impl From<ResultError> for Complaint {
             | ResultError::TargetNotOurs { .. }
             | ResultError::TargetUnwritable { .. }
             | ResultError::TargetHoldsCurrent { .. }
+            | ResultError::DiskTooSmall { .. }
             | ResultError::InUse { .. }
             | ResultError::LeftBehind { .. }
             | ResultError::NothingToResume { .. }

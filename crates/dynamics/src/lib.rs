@@ -50,6 +50,7 @@
 pub mod energy;
 pub mod forces;
 pub mod layout;
+pub mod limits;
 pub mod simulate;
 pub mod snapshot;
 pub mod state;

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::energy::{Balance, Ledger, Losses};
+use crate::limits::{Excess, Limits};
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
@@ -103,6 +104,10 @@ pub trait Observer: Send {
     fn step(&mut self, live: &Live);
     /// At every record time, the start and the end among them.
     fn record(&mut self, frame: &Frame);
+    /// What the run is held to, asked at its start.
+    fn limits(&self) -> Limits {
+        Limits::NONE
+    }
     /// Asked at every record time but the last: whether to stop here.
     fn interrupted(&self) -> bool {
         false
@@ -140,6 +145,9 @@ pub enum StepError {
         /// What is missing, J.
         residual: f64,
     },
+    /// The run exceeds a limit of its observer's.
+    #[error("{0}")]
+    Exceeded(Excess),
     /// The observer asked for it.
     #[error("interrupted at {time} s")]
     Interrupted {
@@ -177,6 +185,8 @@ pub struct Outcome {
     pub balance: Balance,
     /// The last ledger.
     pub ledger: Ledger,
+    /// The first limit that it exceeded, if it did.
+    pub exceeded: Option<Excess>,
     /// Why it stopped early, if it did.
     pub stopped: Option<StepError>,
 }
@@ -192,7 +202,8 @@ pub fn simulate(
     observer: &mut dyn Observer,
 ) -> Outcome {
     let net = Stepper::new(system, state, schedule.dt, threads);
-    let mut run = Run { net, schedule, step: 0, losses: Losses::default(), record: Record::new(system) };
+    let record = Record::new(system);
+    let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses: Losses::default(), record };
     run.net.team().lead(|| match run.look(observer) {
         Some(outcome) => outcome,
         None => run.go_on(observer),
@@ -212,12 +223,12 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Outcome {
     snapshot.check(system, schedule).unwrap_or_else(|error| panic!("{error}"));
-    let Snapshot { step, motion, losses, balance, ledger } = snapshot;
+    let Snapshot { step, motion, losses, balance, ledger, exceeded } = snapshot;
     let mut net = Stepper::resume(system, motion, schedule.dt, threads);
     // the forces at the record; what ropes lost on the way there is in the losses
     net.forces();
-    let record = Record { balance: Some(*balance), ledger: *ledger, ..Record::new(system) };
-    let mut run = Run { net, schedule, step: *step, losses: *losses, record };
+    let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
+    let mut run = Run { net, schedule, limits: observer.limits(), step: *step, losses: *losses, record };
     run.net.team().lead(|| run.go_on(observer))
 }
 
@@ -225,6 +236,7 @@ pub fn resume(
 struct Run<'a> {
     net: Stepper<'a>,
     schedule: &'a Schedule,
+    limits: Limits,
     /// The step that is next.
     step: u64,
     losses: Losses,
@@ -256,13 +268,15 @@ impl Run<'_> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
         self.losses.add_rope_work(sums.rope_work);
-        let measured = sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, observer);
+        let measured =
+            sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
         if !measured {
             return Some(self.outcome(Some(not_finite(&self.net, time, step))));
         }
-        let diverged = self.record.diverged(time, step);
-        if diverged.is_some() || step == self.schedule.count {
-            return Some(self.outcome(diverged));
+        let exceeded = self.record.exceeded.filter(|_| self.limits.stops).map(StepError::Exceeded);
+        let stopped = self.record.diverged(time, step).or(exceeded);
+        if stopped.is_some() || step == self.schedule.count {
+            return Some(self.outcome(stopped));
         }
         let interrupted = observer.interrupted();
         if observer.wants_snapshot() || interrupted {
@@ -287,9 +301,10 @@ impl Run<'_> {
 
     /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
     fn snapshot(&self) -> Snapshot {
-        let Run { net, schedule: _, step, losses, record } = self;
-        let Record { position: _, velocity: _, tension: _, ledger, balance: _ } = record;
-        Snapshot { step: *step, motion: net.motion(), losses: *losses, balance: record.balance(), ledger: *ledger }
+        let Run { net, schedule: _, limits: _, step, losses, record } = self;
+        let Record { position: _, velocity: _, tension: _, ledger, balance: _, exceeded } = record;
+        let (motion, balance) = (net.motion(), record.balance());
+        Snapshot { step: *step, motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded }
     }
 
     /// Time of the step that is next, s.
@@ -298,8 +313,8 @@ impl Run<'_> {
     }
 
     fn outcome(&self, stopped: Option<StepError>) -> Outcome {
-        let (balance, ledger) = (self.record.balance(), self.record.ledger);
-        Outcome { steps: self.step, end_time: self.time(), balance, ledger, stopped }
+        let (balance, ledger, exceeded) = (self.record.balance(), self.record.ledger, self.record.exceeded);
+        Outcome { steps: self.step, end_time: self.time(), balance, ledger, exceeded, stopped }
     }
 }
 
@@ -310,6 +325,7 @@ struct Record {
     tension: Vec<f64>,
     ledger: Ledger,
     balance: Option<Balance>,
+    exceeded: Option<Excess>,
 }
 
 impl Record {
@@ -321,11 +337,20 @@ impl Record {
             tension: vec![0.0; system.segments().len()],
             ledger: Ledger::default(),
             balance: None,
+            exceeded: None,
         }
     }
 
     /// Shows the net to the observer, or returns false where its energy is not finite.
-    fn take(&mut self, net: &Stepper, time: f64, step: u64, losses: &Losses, observer: &mut dyn Observer) -> bool {
+    fn take(
+        &mut self,
+        net: &Stepper,
+        time: f64,
+        step: u64,
+        losses: &Losses,
+        limits: &Limits,
+        observer: &mut dyn Observer,
+    ) -> bool {
         for node in 0..self.position.len() {
             (self.position[node], self.velocity[node]) = (net.position(node), net.velocity(node));
         }
@@ -341,7 +366,9 @@ impl Record {
         self.ledger = ledger;
         let (position, velocity, tension) = (&self.position[..], &self.velocity[..], &self.tension[..]);
         let residual = ledger.residual(balance.start());
-        observer.record(&Frame { time, step, position, velocity, tension, ledger, residual });
+        let frame = Frame { time, step, position, velocity, tension, ledger, residual };
+        observer.record(&frame);
+        self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
         true
     }
 

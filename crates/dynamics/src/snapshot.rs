@@ -9,6 +9,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::energy::{Balance, Ledger, Losses};
+use crate::limits::Excess;
 use crate::simulate::Schedule;
 use crate::system::System;
 
@@ -32,6 +33,7 @@ pub struct Snapshot {
     pub(crate) losses: Losses,
     pub(crate) balance: Balance,
     pub(crate) ledger: Ledger,
+    pub(crate) exceeded: Option<Excess>,
 }
 
 /// Why a run cannot go on from a snapshot.

@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use netcast_dynamics::limits::{Excess, Limits, Term};
 use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
 use netcast_report::ReportError;
 use netcast_results::summary::{self, Summary};
 use netcast_results::{
-    Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, folder,
+    Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, disk,
+    folder,
 };
 use netcast_scenario::lower::Model;
-use netcast_scenario::solve::OnEnergyError;
+use netcast_scenario::solve::{OnEnergyError, Solve};
 use netcast_scenario::{Diagnostics, Document};
 
 use crate::inputs::Inputs;
@@ -62,9 +64,9 @@ pub enum Failure {
     /// It stopped before its end.
     #[error("{0}")]
     Stopped(String),
-    /// It ran to its end, but its energy balance misses the tolerance.
+    /// Its energy balance misses the tolerance, at the end or by far on the way.
     #[error(
-        "the energy balance misses its tolerance: {what} is {found:.3} %, at most {asked:.3} % is allowed; \
+        "the energy balance misses its tolerance: {what} is {found:.3} %, at most {asked:.3} % is allowed{since}; \
          a smaller step mends it, try --set solve.step_fraction={smaller}"
     )]
     Unbalanced {
@@ -73,6 +75,27 @@ pub enum Failure {
         /// Its value, percent.
         found: f64,
         /// What the scenario asks for, percent.
+        asked: f64,
+        /// When it missed it by far and what pulled hardest there and then, for the message; empty where it did not.
+        since: String,
+        /// A step fraction that should do.
+        smaller: f64,
+    },
+    /// A segment is thrown about by much of its length in one step.
+    #[error(
+        "step {step} at {time} s: the step does not resolve the motion: {place} changes its length by {found:.0} % in \
+         one step, at most {asked:.0} % is allowed; try --set solve.step_fraction={smaller}"
+    )]
+    Unresolved {
+        /// Which step.
+        step: u64,
+        /// At what time, s.
+        time: f64,
+        /// Which segment.
+        place: String,
+        /// The change, percent.
+        found: f64,
+        /// The most that is allowed, percent.
         asked: f64,
         /// A step fraction that should do.
         smaller: f64,
@@ -115,6 +138,19 @@ pub fn schedule(model: &Model) -> Schedule {
     Schedule::new(model.scenario.solve.duration.si(), every, model.largest_dt())
 }
 
+/// Records from one frame of the fields to the next.
+fn fields_every(model: &Model) -> u64 {
+    let record = &model.scenario.record;
+    record.fields_every.map_or(1.0, |t| (t.si() / record.every.si()).round().max(1.0)) as u64
+}
+
+/// Bytes that the fields of a run take at its end: the frames as they came, and the file that is made of them.
+fn written_bytes(model: &Model, schedule: &Schedule) -> f64 {
+    let (nodes, segments) = (model.system.mass().len() as f64, model.system.segments().len() as f64);
+    let frames = schedule.count as f64 / (schedule.steps_per_record * fields_every(model)) as f64 + 1.0;
+    2.0 * frames * (1.0 + 6.0 * nodes + segments) * size_of::<f64>() as f64
+}
+
 /// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so,
 /// the run stops at the next one.
 ///
@@ -135,6 +171,8 @@ pub fn run(
     let model = Model::new(document)?;
     let inputs = Inputs::new(document, &model)?;
     let input_hash = inputs.hash();
+    let schedule = schedule(&model);
+    disk::require(target, written_bytes(&model, &schedule))?;
     let (mut folder, checkpoint) = match options.resume {
         true => left_behind(target, &inputs, &input_hash)?,
         false => (ResultFolder::running(target)?, None),
@@ -146,13 +184,12 @@ pub fn run(
     let landmarks = landmarks(&model);
     landmarks.write(&folder.path().join(folder::LANDMARKS))?;
 
-    let schedule = schedule(&model);
-    let record = &model.scenario.record;
-    let fields_every = record.fields_every.map_or(1.0, |t| (t.si() / record.every.si()).round().max(1.0)) as u64;
+    let fields_every = fields_every(&model);
     let end_s = schedule.time(schedule.count);
     let mut tell = |time_s: f64| progress(Progress { time_s, end_s });
     let (system, state) = (&model.system, &model.state);
     let recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
+    let recorder = recorder.hold_to(limits(&model.scenario.solve));
     let wall_time_before = checkpoint.as_ref().map_or(Duration::ZERO, Checkpoint::wall_time);
     let checkpoints = Checkpoints { every: options.checkpoint_every, input_hash, wall_time_before, clock };
     let mut recorder = match &checkpoint {
@@ -178,6 +215,22 @@ pub fn run(
         Ended { model: &model, schedule: &schedule, outcome, recording }.publish(folder, &manifest)
     });
     ran.map_err(|source| RunError::CutOff { source: Box::new(source), folder: kept })
+}
+
+/// How many times its tolerance the balance may miss on the way. Its error is counted over the largest energy of the
+/// run, which may still grow.
+const ON_THE_WAY: f64 = 2.0;
+
+/// The largest change of a segment's length in one step, over its rest length.
+const LARGEST_SWEEP: f64 = 0.5;
+
+/// What a run is held to while it goes on.
+fn limits(solve: &Solve) -> Limits {
+    Limits {
+        closure: ON_THE_WAY * solve.energy_tolerance.si(),
+        sweep: LARGEST_SWEEP,
+        stops: solve.on_energy_error == OnEnergyError::Stop,
+    }
 }
 
 /// The folder of the run that goes on, and its checkpoint; none where that run died before its first, and this one
@@ -228,14 +281,51 @@ impl Ended<'_> {
         let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
         // a run that came apart says so, and what mends it
         let came_apart = matches!(stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
-        let unbalanced = match came_apart {
-            true => None,
-            false => unbalanced(&self.recording.energy, solve.step_fraction.map_or(1.0, |f| f.si())),
-        };
-        let stopped = stopped.as_ref().map(|error| Failure::Stopped(in_words(self.model, error)));
+        let missed = if came_apart { None } else { self.unresolved().or_else(|| self.unbalanced()) };
+        let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
+        let stopped = stopped.map(|error| Failure::Stopped(in_words(self.model, error)));
         let mut warnings = self.model.notes.clone();
-        warnings.extend(stopped.iter().chain(&unbalanced).map(Failure::to_string));
-        (stopped.or(unbalanced.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
+        warnings.extend(stopped.iter().chain(&missed).map(Failure::to_string));
+        (stopped.or(missed.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
+    }
+
+    /// That the step does not resolve the motion.
+    fn unresolved(&self) -> Option<Failure> {
+        let Excess { term, found, allowed, step, time, segment } = self.outcome.exceeded?;
+        let place = self.model.segment_label(segment.filter(|_| term == Term::Sweep)?);
+        let smaller = sensible(0.5 * self.fraction() * allowed / found);
+        Some(Failure::Unresolved { step, time, place, found: 100.0 * found, asked: 100.0 * allowed, smaller })
+    }
+
+    /// The first tolerance that the balance misses.
+    fn unbalanced(&self) -> Option<Failure> {
+        let energy = &self.recording.energy;
+        let measures = [
+            ("the residual over the largest total energy", Some(energy.closure), energy.tolerance),
+            ("the residual over the web's largest energy", energy.closure_web, energy.tolerance_web),
+        ];
+        let missed = |found: Option<f64>, asked: f64| found.filter(|found| *found > asked);
+        let (what, found, asked) =
+            measures.into_iter().find_map(|(what, found, asked)| Some((what, missed(found, asked)?, asked)))?;
+        let since = self.outcome.exceeded.map_or(String::new(), |excess| {
+            let hardest = excess.segment.map(|s| format!(", where {} pulls hardest", self.model.segment_label(s)));
+            format!(
+                ", and twice that was missed at step {} at {} s{}",
+                excess.step,
+                excess.time,
+                hardest.unwrap_or_default()
+            )
+        });
+        // the residual falls with the third power of the step or so; the second is on the safe side. One that was
+        // missed on the way would have grown, as far as one knows in proportion to time
+        let at_the_end = found * self.schedule.end / self.outcome.end_time;
+        let smaller = sensible(0.9 * self.fraction() * (asked / at_the_end).sqrt());
+        Some(Failure::Unbalanced { what, found: 100.0 * found, asked: 100.0 * asked, since, smaller })
+    }
+
+    /// The share of the stable step that was taken.
+    fn fraction(&self) -> f64 {
+        self.model.scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si())
     }
 
     fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
@@ -287,19 +377,9 @@ fn stowed(model: &Model) -> summary::Stowed {
     }
 }
 
-/// The first tolerance that the balance misses.
-fn unbalanced(energy: &summary::Energy, fraction: f64) -> Option<Failure> {
-    let measures = [
-        ("the residual over the largest total energy", Some(energy.closure), energy.tolerance),
-        ("the residual over the web's largest energy", energy.closure_web, energy.tolerance_web),
-    ];
-    measures.into_iter().find_map(|(what, found, asked)| {
-        let found = found.filter(|found| *found > asked)?;
-        // the residual falls with the third power of the step or so; the second is on the safe side
-        let smaller = 0.9 * fraction * (asked / found).sqrt();
-        let smaller = format!("{smaller:.1e}").parse().unwrap_or(smaller);
-        Some(Failure::Unbalanced { what, found: 100.0 * found, asked: 100.0 * asked, smaller })
-    })
+/// Two digits, as one types them.
+fn sensible(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
 }
 
 /// A step error with the names of the model's parts.
@@ -315,6 +395,6 @@ fn in_words(model: &Model, error: &StepError) -> String {
             format!("step {step} at {time} s: the {term} of {place} is not a finite number; {mend}")
         }
         StepError::Diverged { .. } => format!("{error}; {mend}"),
-        StepError::Interrupted { .. } => error.to_string(),
+        StepError::Exceeded(_) | StepError::Interrupted { .. } => error.to_string(),
     }
 }

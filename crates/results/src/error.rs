@@ -26,6 +26,19 @@ pub enum ResultError {
         /// The path asked for.
         path: PathBuf,
     },
+    /// What a run would write does not fit on the disk.
+    #[error(
+        "{} needs about {:.0} MB, and its disk has {:.0} MB to give: record less often (record.every, \
+         record.fields_every)", path.display(), (1e-6 * needed).ceil(), (1e-6 * available).floor()
+    )]
+    DiskTooSmall {
+        /// The folder wanted.
+        path: PathBuf,
+        /// Bytes that its run writes.
+        needed: f64,
+        /// Bytes that there are.
+        available: f64,
+    },
     /// The folder, or one that it lies in, cannot be made.
     #[error("cannot make the folder {}: {source}", path.display())]
     TargetUnwritable {

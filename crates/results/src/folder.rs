@@ -185,6 +185,13 @@ impl ResultFolder {
             fs::rename(&self.aside, &self.target).map_err(ResultError::write(&self.target))?;
             return Ok(self.target.clone());
         }
+        if exchange(&self.aside, &self.target) {
+            // the old result now stands aside; a run of its own that did not end is not to be gone on with from there
+            keep_foreign(&self.aside, &self.target)?;
+            running::forget(&self.aside, &[CHECKPOINT])?;
+            fs::remove_dir_all(&self.aside).map_err(ResultError::write(&self.aside))?;
+            return Ok(self.target.clone());
+        }
         let old = unused_beside(&self.target, "old");
         fs::rename(&self.target, &old).map_err(ResultError::write(&self.target))?;
         if let Err(source) = fs::rename(&self.aside, &self.target) {
@@ -205,6 +212,19 @@ impl Drop for ResultFolder {
             let _ = fs::remove_dir_all(&self.aside);
         }
     }
+}
+
+/// Lets two folders change places in one step, so that a kill finds one of them in either place; false where the file
+/// system cannot.
+#[cfg(target_os = "linux")]
+fn exchange(one: &Path, other: &Path) -> bool {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE).is_ok()
+}
+
+#[cfg(not(target_os = "linux"))]
+fn exchange(_: &Path, _: &Path) -> bool {
+    false
 }
 
 /// The absolute path that `target` stands for, links followed as far as it exists.

@@ -15,6 +15,7 @@
 
 pub mod checkpoint;
 pub mod comparison;
+pub mod disk;
 mod error;
 mod flight;
 pub mod folder;

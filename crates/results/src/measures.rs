@@ -264,9 +264,9 @@ impl Measures {
         let mut tension = Tension::default();
         for (index, class) in landmarks.classes.iter().enumerate() {
             let peak = self.largest_of(landmarks, |group| group.class == index);
-            let max_n = peak.value().unwrap_or(0.0);
+            let (max_n, max_time_s) = peak.map_or((0.0, None), |(_, tension, time)| (tension, Some(time)));
             let pulled = max_n > 0.0;
-            let max_time_s = peak.time().filter(|_| pulled);
+            let max_time_s = max_time_s.filter(|_| pulled);
             let margin = class.strength.filter(|_| pulled).map(|strength| strength / max_n);
             tension.by_class.insert(class.name.clone(), ClassTension { max_n, max_time_s, margin });
             if class.is_rope && max_n > tension.max_n {
@@ -281,17 +281,19 @@ impl Measures {
 
     /// The largest tension of a kind of rope, N, its time, s, and the link class where it occurred.
     pub fn largest_in_rope<'l>(&self, landmarks: &'l Landmarks, rope: usize) -> Largest<'l> {
-        let groups = landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| group.rope == Some(rope));
-        let peaks = groups.filter_map(|(group, peak)| Some((group.class, peak.0?)));
-        let (class, (tension, time)) = peaks.reduce(|one, other| if other.1.0 > one.1.0 { other } else { one })?;
-        Some((tension, time, &landmarks.classes[class].name))
+        let (group, tension, time) = self.largest_of(landmarks, |group| group.rope == Some(rope))?;
+        Some((tension, time, &landmarks.classes[group.class].name))
     }
 
-    /// The largest tension of some groups; the first of equals.
-    fn largest_of(&self, landmarks: &Landmarks, belongs: impl Fn(&Group) -> bool) -> Peak {
+    /// The largest tension of some groups, N, its time, s, and where it occurred; the first of equals.
+    fn largest_of<'l>(
+        &self,
+        landmarks: &'l Landmarks,
+        belongs: impl Fn(&Group) -> bool,
+    ) -> Option<(&'l Group, f64, f64)> {
         let groups = landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| belongs(group));
-        let peaks = groups.filter_map(|(_, peak)| peak.0);
-        Peak(peaks.reduce(|one, other| if other.0 > one.0 { other } else { one }))
+        let peaks = groups.filter_map(|(group, peak)| peak.0.map(|(tension, time)| (group, tension, time)));
+        peaks.reduce(|one, other| if other.1 > one.1 { other } else { one })
     }
 
     /// Mean bottom tension from B's start to the time of the largest area, N.

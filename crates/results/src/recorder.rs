@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
+use netcast_dynamics::limits::Limits;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome};
 use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::state::State;
@@ -38,6 +39,7 @@ pub struct Recorder<'r> {
     kept: Option<Kept>,
     progress: &'r mut Progress<'r>,
     interrupted: &'r (dyn Fn() -> bool + Sync),
+    limits: Limits,
     error: Option<ResultError>,
 }
 
@@ -145,8 +147,14 @@ impl<'r> Recorder<'r> {
             kept: None,
             progress,
             interrupted,
+            limits: Limits::NONE,
             error: None,
         })
+    }
+
+    /// Holds the run to `limits`.
+    pub fn hold_to(self, limits: Limits) -> Self {
+        Self { limits, ..self }
     }
 
     /// Writes rows and frames into `folder` from the start of the run on, and checkpoints.
@@ -299,6 +307,10 @@ impl Observer for Recorder<'_> {
         self.measured.last_time = frame.time;
         self.measured.last_residual = frame.residual;
         (self.progress)(frame.time);
+    }
+
+    fn limits(&self) -> Limits {
+        self.limits
     }
 
     fn interrupted(&self) -> bool {

@@ -63,11 +63,52 @@ fn a_run_that_misses_its_balance_fails_and_its_advice_mends_it() {
     // said once, at the end
     assert!(!ended.stdout.contains("misses its tolerance"), "{}", ended.stdout);
     assert_readable(&workbench, "results/net");
-    // it came to its end, only not well
-    assert_eq!(workbench.summary("results/net")["finished"], true);
 
     let mended = run(&workbench, &[&MISSES_BALANCE[..], &["--quiet", "--set", offered(&ended.stderr)]].concat());
     assert_eq!(mended.status, 0, "{}", mended.stderr);
+}
+
+#[test]
+fn a_balance_that_is_missed_by_far_stops_the_run_there_and_then() {
+    let workbench = Workbench::with_net();
+    let ended = run(&workbench, &MISSES_BALANCE);
+    let whole =
+        run(&workbench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag", "--out", "whole"]].concat());
+    assert_eq!(whole.status, 0, "{}", whole.stderr);
+    let (stopped, whole) = (workbench.summary("results/net"), workbench.summary("whole"));
+    assert_eq!((&stopped["finished"], &whole["finished"]), (&false.into(), &true.into()));
+    let step = stopped["step"]["count"].as_u64().unwrap();
+    assert!(step < whole["step"]["count"].as_u64().unwrap(), "{step}");
+    // where it happened is told
+    assert!(ended.stderr.contains(&format!("at step {step} at ")), "{}", ended.stderr);
+    assert!(ended.stderr.contains("where segment ") && ended.stderr.contains("pulls hardest"), "{}", ended.stderr);
+    // the records before it are those of the run that went on
+    let (stopped, whole) = (workbench.read("results/net/history.csv"), workbench.read("whole/history.csv"));
+    assert!(stopped.lines().count() > 2 && whole.starts_with(&stopped));
+}
+
+#[test]
+fn a_balance_that_is_missed_by_little_is_judged_at_the_end() {
+    let workbench = Workbench::with_net();
+    run(&workbench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag"]].concat());
+    let closure = workbench.summary("results/net")["energy"]["closure"].as_f64().unwrap();
+    let asked = format!("solve.energy_tolerance={}", closure / 1.5);
+    let ended = run(&workbench, &[MISSES_BALANCE[0], MISSES_BALANCE[1], "--set", &asked]);
+    assert_eq!(ended.status, 3, "{}", ended.stderr);
+    // it came to its end, only not well
+    assert_eq!(workbench.summary("results/net")["finished"], true);
+}
+
+#[test]
+fn a_step_that_throws_segments_about_is_told() {
+    // hardly any stiffness allows a step of the time between two records, in which the net flies many times its length
+    let workbench = Workbench::with_net();
+    let limp = ["--set", "rope.elastic_modulus=1 Pa", "--set", "record.every=50 ms"];
+    let ended = run(&workbench, &limp);
+    assert_eq!(ended.status, 3, "{}", ended.stderr);
+    assert!(ended.stderr.contains("the step does not resolve the motion: segment "), "{}", ended.stderr);
+    let flagged = run(&workbench, &[&limp[..], &["--set", "solve.on_energy_error=flag"]].concat());
+    assert!(flagged.stdout.contains("note: step "), "{}{}", flagged.stdout, flagged.stderr);
 }
 
 #[test]

@@ -119,14 +119,7 @@ impl<'a> Stepper<'a> {
     /// forces tell no work lost in ropes: they do not know the lengths before.
     pub fn resume(system: &'a System, motion: &Motion, dt: f64, threads: usize) -> Stepper<'a> {
         let mut stepper = Stepper::empty(Engine { threads, ..Engine::default() }, system, dt);
-        let Motion { position, half_step_velocity, extrapolated } = motion;
-        for (block, plan) in system.layout().blocks().iter().enumerate() {
-            for (slot, content) in plan.slots.iter().enumerate() {
-                let at = |of: &[DVec3]| of[content.node].to_array();
-                stepper.put(Address { block, slot }, at(position), at(half_step_velocity), at(extrapolated));
-            }
-        }
-        stepper.tell();
+        stepper.put_all(motion);
         stepper
     }
 
@@ -165,14 +158,10 @@ impl<'a> Stepper<'a> {
     /// Sets the state and the half-step velocities before it.
     fn start(&mut self, state: &State) {
         let system = self.system;
-        for (block, plan) in system.layout().blocks().iter().enumerate() {
-            for (slot, content) in plan.slots.iter().enumerate() {
-                let node = content.node;
-                let velocity = if system.held()[node] { DVec3::ZERO } else { state.velocity[node] };
-                self.put(Address { block, slot }, state.position[node].into(), [0.0; 3], velocity.into());
-            }
-        }
-        self.tell();
+        let free = |(&held, &v): (&bool, &DVec3)| if held { DVec3::ZERO } else { v };
+        let velocity: Vec<DVec3> = system.held().iter().zip(&state.velocity).map(free).collect();
+        let position = state.position.clone();
+        self.put_all(&Motion { position, half_step_velocity: velocity.clone(), extrapolated: velocity });
         self.forces();
         for (node, &home) in system.layout().homes().iter().enumerate() {
             if !system.held()[node] {
@@ -183,15 +172,23 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Puts every node into every one of its slots.
+    fn put_all(&mut self, motion: &Motion) {
+        let Motion { position, half_step_velocity, extrapolated } = motion;
+        for (block, plan) in self.system.layout().blocks().iter().enumerate() {
+            for (slot, content) in plan.slots.iter().enumerate() {
+                let at = |of: &[DVec3]| of[content.node].to_array();
+                self.put(Address { block, slot }, at(position), at(half_step_velocity), at(extrapolated));
+            }
+        }
+        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
+    }
+
     fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
         let (nodes, slot) = (&mut self.nodes[at.block], at.slot);
         for k in 0..3 {
             (nodes.x[k][slot], nodes.v[k][slot], nodes.w[k][slot]) = (x[k], v[k], w[k]);
         }
-    }
-
-    fn tell(&mut self) {
-        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
     }
 
     /// One whole step. Afterwards positions are those of the next step, velocities half a step behind them, tensions
