@@ -21,7 +21,17 @@ pub fn is_small(document: &Document) -> bool {
         }
         Web::Square(web) => {
             let per_mesh = web.segments_per_mesh.map_or(1, |count| count.get());
-            (web.side.si(), web.side.si() / web.mesh.si(), per_mesh)
+            let excess = web.gathering.as_ref().map_or(0.0, |rope| rope.excess.si());
+            (web.side.si() * (1.0 + excess), web.side.si() / web.mesh.si(), per_mesh)
+        }
+        Web::Polygon(web) => {
+            let size = f64::from(web.sides.get()) * web.side_m();
+            (size, size / web.mesh.si(), 1)
+        }
+        Web::Radial(web) => (web.diameter.si(), f64::from(web.rings.get().max(web.radials.get())), 1),
+        Web::Diamond(net) => {
+            let cells = f64::from(net.meshes_wide.get().max(net.meshes_high.get()));
+            (2.0 * net.mesh.si() * cells, cells, 1)
         }
         Web::Graph(_) => {
             let files = document.graph.as_ref().expect("a document of a graph has read its files");

@@ -31,7 +31,8 @@ impl Inputs {
             files.insert(name.clone(), fs::read(&from).map_err(ResultError::read(&from))?);
             *file = name.into();
         }
-        files.insert(SCENARIO.to_owned(), resolved_toml(&scenario).into_bytes());
+        let resolved = document.library.comments() + &resolved_toml(&scenario);
+        files.insert(SCENARIO.to_owned(), resolved.into_bytes());
         Ok(Self(files))
     }
 

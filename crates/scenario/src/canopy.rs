@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::interval::{NonNegative, Positive};
+use crate::library::cloth_names;
 use crate::quantity::{Density, Length, Number, Pressure};
 use crate::rope::DAMPING_RATIO;
 
@@ -16,6 +17,14 @@ pub enum Canopy {
     Links(CanopyLinks),
 }
 
+impl Canopy {
+    /// Forgets the material, whose values stand in their own keys: no other library can change the canopy.
+    pub(crate) fn complete(&mut self) {
+        let Self::Links(links) = self;
+        links.material = None;
+    }
+}
+
 impl Default for Canopy {
     fn default() -> Self {
         Self::Links(CanopyLinks::default())
@@ -26,6 +35,12 @@ impl Default for Canopy {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CanopyLinks {
+    /// A cloth of the library: it has the density and elastic modulus that are not written beside it; the thickness is
+    /// then that of the cloth as a solid.
+    // none once a scenario is read: its values then stand in their own keys
+    #[serde(skip_serializing)]
+    #[schemars(schema_with = "cloth_names")]
+    pub material: Option<String>,
     /// Side of the hexagon, m.
     pub side: Length<Positive>,
     /// Thickness, m.
@@ -41,6 +56,7 @@ pub struct CanopyLinks {
 impl Default for CanopyLinks {
     fn default() -> Self {
         Self {
+            material: None,
             side: Length::constant(0.14),
             thickness: Length::constant(0.01),
             density: Density::constant(2000.0),

@@ -159,7 +159,8 @@ impl Check<'_> {
             }
         }
         // a missing key that a misspelt one stands for has been reported
-        let missing = strings(schema.get("required")).filter(|key| table.get(key).is_none());
+        let needed = strings(schema.get("required")).chain(least_alternative(schema, table));
+        let missing = needed.filter(|key| table.get(key).is_none());
         for key in missing.filter(|key| !meant.iter().any(|meant| meant == key)) {
             let content = properties.get(key).and_then(Json::as_object).unwrap_or(&empty);
             let help = expected_at(&path.key(key), key, content);
@@ -195,6 +196,17 @@ impl Check<'_> {
             return self.untold += 1;
         }
         self.found.push(self.written.at_value(path, message).with_help_if(help));
+    }
+}
+
+/// The keys that stand in for one another, such as a material for what it is known by: the last of the sets where none
+/// is complete, else none.
+fn least_alternative<'s>(schema: &'s Schema, table: &Table) -> Vec<&'s str> {
+    let sets = schema.get("anyOf").and_then(Json::as_array).into_iter().flatten();
+    let sets: Vec<Vec<&str>> = sets.map(|set| strings(set.get("required")).collect()).collect();
+    match sets.iter().any(|set| set.iter().all(|key| table.get(key).is_some())) {
+        true => Vec::new(),
+        false => sets.last().cloned().unwrap_or_default(),
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::Path as FilePath;
 use crate::check;
 use crate::csv_files::{GraphFiles, StowRow, read_graph, read_stow};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::library::{self, FromLibrary};
 use crate::path::Path;
 use crate::rules;
 use crate::scenario::Scenario;
@@ -17,8 +18,10 @@ const MOST_BYTES: f64 = 64e6;
 /// A scenario that was read and checked.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// As it was written.
+    /// As it was written, with what the library of materials adds.
     pub written: Written,
+    /// What the library of materials adds.
+    pub library: FromLibrary,
     /// As it is meant, with every default filled in.
     pub scenario: Scenario,
     /// The files of `[web.graph]`.
@@ -45,11 +48,12 @@ impl Document {
     /// # Errors
     /// Everything that is wrong with them, at once.
     pub fn parse(source: Source, folder: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
-        let (written, mut found) = match Written::parse(source, folder, overrides) {
+        let (mut written, mut found) = match Written::parse(source, folder, overrides) {
             Ok(parsed) => parsed,
             Err(faults) => return Err(Diagnostics::fail_if_any(faults).unwrap_err()),
         };
         found.extend(check::check(&written));
+        let library = library::fill(&mut written.tree);
         found.extend(rules::check(&written));
         let graph = read_graph(&written, &mut found);
         let stowed = read_stow(&written, &mut found);
@@ -57,7 +61,7 @@ impl Document {
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, scenario, graph, stowed })
+        Ok(Self { written, library, scenario, graph, stowed })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

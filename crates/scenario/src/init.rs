@@ -40,6 +40,24 @@ pub const TEMPLATES: &[Template] = &[
         files: &[],
     },
     Template {
+        kind: "polygon",
+        summary: "a regular octagon of parallels and radials, thrown by eight tractors",
+        scenario: include_str!("../templates/polygon.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "radial",
+        summary: "radials and rings round an open hub, as of a spider, thrown by six tractors",
+        scenario: include_str!("../templates/radial.toml"),
+        files: &[],
+    },
+    Template {
+        kind: "diamond",
+        summary: "a net of rhombic meshes in a border, thrown by four corner masses",
+        scenario: include_str!("../templates/diamond.toml"),
+        files: &[],
+    },
+    Template {
         kind: "graph",
         summary: "any net, from two CSV files",
         scenario: include_str!("../templates/graph.toml"),

@@ -22,6 +22,7 @@ pub mod init;
 pub mod interval;
 mod later;
 pub mod launch;
+pub mod library;
 pub mod lower;
 pub mod measure;
 mod memory;

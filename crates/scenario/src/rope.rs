@@ -4,18 +4,29 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::interval::{Fraction, NonNegative, Positive};
+use crate::library::rope_names;
 use crate::quantity::{Density, Force, Length, Number, Pressure, Time};
 
-/// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05.
+/// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05. Density and
+/// elastic modulus are given, or the material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("not" = {"required": ["damping_time", "damping_ratio"]}))]
+#[schemars(extend(
+    "not" = {"required": ["damping_time", "damping_ratio"]},
+    "required" = ["diameter"],
+    "anyOf" = [{"required": ["material"]}, {"required": ["density", "elastic_modulus"]}]
+))]
 pub struct Rope {
-    /// Diameter, m.
+    /// A rope of the library: it has the density, elastic modulus and strength that are not written beside it.
+    // none once a scenario is read: its values then stand in their own keys
+    #[serde(default, skip_serializing)]
+    #[schemars(schema_with = "rope_names")]
+    pub material: Option<String>,
+    /// Nominal diameter, m.
     pub diameter: Length<Positive>,
-    /// Density, kg/m^3.
+    /// Mass per length over the nominal section, kg/m^3.
     pub density: Density<Positive>,
-    /// Elastic modulus E, Pa.
+    /// Elastic modulus E on the nominal section, Pa: that of the rope, which is less than that of its fibres.
     pub elastic_modulus: Pressure<Positive>,
     /// Internal friction of the material t, s: the damper of a segment is c = E A t / rest length.
     pub damping_time: Option<Time<NonNegative>>,
@@ -57,8 +68,9 @@ impl Rope {
         }
     }
 
-    /// Writes the default damping out.
+    /// Writes the default damping out; forgets the material, so that no other library can change the rope.
     pub(crate) fn complete(&mut self) {
+        self.material = None;
         if self.damping_time.is_none() {
             self.damping_ratio.get_or_insert(DAMPING_RATIO);
         }

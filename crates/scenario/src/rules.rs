@@ -12,6 +12,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     assigned_ropes_exist(written, &mut found);
     knots_weaken_a_strength(written, &mut found);
     segments_are_cut_in_one_way(written, &mut found);
+    a_polygon_has_a_size(written, &mut found);
     canopies_belong_to_the_space_web(written, &mut found);
     tractors_are_told_apart(written, &mut found);
     found
@@ -66,10 +67,24 @@ fn segments_are_cut_in_one_way(written: &Written, found: &mut Vec<Diagnostic>) {
     }
 }
 
+fn a_polygon_has_a_size(written: &Written, found: &mut Vec<Diagnostic>) {
+    let path = Path::parse("web.polygon");
+    let Some(polygon) = written.tree.get(&path).and_then(|node| node.value.as_table()) else { return };
+    if polygon.get("side").is_none() && polygon.get("diameter").is_none() {
+        let message = "missing key `side` or `diameter`";
+        found.push(
+            written
+                .at_value(&path, message)
+                .with_help("give the length of a side, or the diameter of the circle through the corners"),
+        );
+    }
+}
+
 fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnostic>) {
     let Some(web) = table_at(written, "web") else { return };
     // a misspelt kind is reported as such
-    let ropes_only = ["traditional", "topological", "square", "graph"].iter().any(|kind| web.get(kind).is_some());
+    let ropes_only = ["traditional", "topological", "square", "polygon", "radial", "diamond", "graph"];
+    let ropes_only = ropes_only.iter().any(|kind| web.get(kind).is_some());
     if web.get("space").is_some() || !ropes_only {
         return;
     }

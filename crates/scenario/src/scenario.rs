@@ -125,13 +125,14 @@ impl Scenario {
 
     /// Writes out every default that depends on what else is given.
     pub(crate) fn complete(&mut self) {
-        if matches!(self.web, Web::Space(_)) {
-            self.canopy.get_or_insert_default();
-        }
+        self.web.complete();
         self.rope.complete();
         self.ropes.values_mut().for_each(Rope::complete);
         if matches!(self.web, Web::Space(_)) {
             self.canopy.get_or_insert_default();
+        }
+        if let Some(canopy) = &mut self.canopy {
+            canopy.complete();
         }
         for body in [&mut self.payload, &mut self.sensor].into_iter().flatten() {
             body.complete(&CylinderDefaults::PAYLOAD);

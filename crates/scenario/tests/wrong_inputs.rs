@@ -106,7 +106,7 @@ fn a_missing_key_is_shown_at_its_table() {
     assert_eq!(
         found[0],
         "net.toml:1:1: web: missing key `web` (write one of [web.traditional], [web.topological], [web.space], \
-         [web.square], [web.graph])"
+         [web.square], [web.polygon], [web.radial], [web.diamond], [web.graph])"
     );
     assert_eq!(wrong("", &[]).len(), 3);
 }

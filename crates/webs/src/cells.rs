@@ -2,11 +2,11 @@
 //!
 //! Seen as a graph in the plane, every rope is walked twice, once each way; turning at each knot into the next rope
 //! clockwise walks round the faces (de Berg et al., Computational Geometry, 3rd ed. 2008, section 2.2). Traction ropes
-//! are no part of a cell.
+//! are no part of a cell, nor are gathering ropes, which lie on the outline.
 
 use std::collections::BTreeMap;
 
-use crate::{Class, CutWeb, vector_area};
+use crate::{Class, CutWeb, Rope, vector_area};
 
 /// Share of the web's area below which a loop encloses nothing but rounding.
 const NOTHING: f64 = 1e-9;
@@ -34,7 +34,8 @@ impl CutWeb {
     fn sides(&self) -> BTreeMap<(usize, usize), Vec<usize>> {
         let mut sides = BTreeMap::new();
         let ropes = self.web.ropes.iter().enumerate();
-        for (rope, ends) in ropes.filter(|(_, rope)| rope.class != Class::Traction && rope.a != rope.b) {
+        let bounds = |rope: &Rope| !matches!(rope.class, Class::Traction | Class::Gathering) && rope.a != rope.b;
+        for (rope, ends) in ropes.filter(|(_, rope)| bounds(rope)) {
             let interior: Vec<usize> = self.ropes[rope].interior().collect();
             if !sides.contains_key(&(ends.a, ends.b)) {
                 sides.insert((ends.b, ends.a), interior.iter().rev().copied().collect());

@@ -9,6 +9,8 @@ pub enum Class {
     Traction,
     /// Along the outline.
     Outline,
+    /// A second rope along the outline, as of a purse.
+    Gathering,
     /// Along a closed line round the centre, inside the outline.
     Ring,
     /// On a straight line through the centre.
@@ -26,8 +28,16 @@ pub enum Class {
 impl Class {
     /// The class of this name: one of ours in any case of letters, else [`Class::Named`] with the name as given.
     pub fn from_name(name: &str) -> Class {
-        let ours =
-            [Class::Traction, Class::Outline, Class::Ring, Class::Radial, Class::Inner, Class::Hexagon, Class::Canopy];
+        let ours = [
+            Class::Traction,
+            Class::Outline,
+            Class::Gathering,
+            Class::Ring,
+            Class::Radial,
+            Class::Inner,
+            Class::Hexagon,
+            Class::Canopy,
+        ];
         let name = name.trim();
         ours.into_iter()
             .find(|class| class.name().eq_ignore_ascii_case(name))
@@ -39,6 +49,7 @@ impl Class {
         match self {
             Class::Traction => "traction",
             Class::Outline => "outline",
+            Class::Gathering => "gathering",
             Class::Ring => "ring",
             Class::Radial => "radial",
             Class::Inner => "inner",

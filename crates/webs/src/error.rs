@@ -54,6 +54,55 @@ pub enum WebError {
         /// The mesh given, m.
         mesh: f64,
     },
+    /// The mesh of a polygon web is larger than its apothem.
+    #[error("a mesh of {mesh} m is larger than the distance from the middle to a side, {} m", rounded(*.apothem))]
+    MeshBeyondApothem {
+        /// The mesh given, m.
+        mesh: f64,
+        /// The apothem, m.
+        apothem: f64,
+    },
+    /// The hanging ratio of a diamond net is out of its range.
+    #[error("the hanging ratio must be greater than 0 and less than 1, not {value}")]
+    HangingRatio {
+        /// The ratio given.
+        value: f64,
+    },
+    /// The hub of a radial-and-ring web is no smaller than the web.
+    #[error("a hub of {hub} m leaves no room for radials in a web of {diameter} m")]
+    HubTooLarge {
+        /// The hub's diameter, m.
+        hub: f64,
+        /// The web's diameter, m.
+        diameter: f64,
+    },
+    /// The corners of a radial-and-ring web cannot be spread evenly over its radials.
+    #[error("{corners} corners do not lie evenly among {radials} radials; {} would", listed(.evenly))]
+    UnevenCorners {
+        /// The number of corners given.
+        corners: usize,
+        /// The number of radials.
+        radials: usize,
+        /// The numbers of corners that would lie evenly.
+        evenly: Vec<usize>,
+    },
+    /// A gathering rope is not tied to every corner.
+    #[error(
+        "a gathering rope tied to every {every} knots would miss corners of the web: {every} does not divide the {meshes} \
+         meshes of a side"
+    )]
+    TiesMissCorners {
+        /// Knots from one tie to the next.
+        every: usize,
+        /// Knots of the outline from one corner to the next.
+        meshes: usize,
+    },
+    /// A gathering rope would be shorter than the outline.
+    #[error("the excess of a gathering rope must be 0 or more, not {value}")]
+    Excess {
+        /// The excess given, as a share of the outline.
+        value: f64,
+    },
     /// Canopies or rope hexagons leave no room for the links between them.
     #[error(
         "{what} with sides of {side} m leave no room for the ropes between them; their side must be less than {} m",
@@ -188,6 +237,11 @@ pub enum WebError {
 /// Rounded to six significant figures, so that a suggestion reads as a person would type it.
 fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// The numbers with commas between them.
+fn listed(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// An error unless `value` is a positive, finite length.

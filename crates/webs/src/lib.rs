@@ -4,7 +4,8 @@
 //! ```text
 //! square(..) traditional(..)   ──▶ Web ──with_traction──▶ Web ──cut──▶ CutWeb ──Pattern::pack──▶ positions
 //! topological(..) space(..)         │                      │                                         │
-//! graph(..)                         └ merge_stubs          └ bill                                    └ audit
+//! polygon(..) radial(..)            ├ merge_stubs          └ bill                                    └ audit
+//! diamond(..) graph(..)             └ with_gathering
 //! ```
 //!
 //! Everything here is geometry in SI units: metres, kilograms, no files, no forces. A web is drawn flat in the plane
@@ -28,31 +29,41 @@ mod cells;
 mod check;
 mod class;
 mod cut;
+mod diamond;
 mod error;
+mod gathering;
 mod graph;
 mod lattice;
 pub mod packing;
 mod plates;
 mod polygon;
+mod radial;
 mod rope_list;
+mod sectors;
 mod space;
 mod square;
 mod stubs;
+#[cfg(test)]
+mod symmetry;
 mod topological;
 mod traction;
 mod traditional;
+mod vector_area;
 mod web;
 
 pub use bill::{Bill, PACKED_FILL, Parts, RopeKind, RopeLine, Solid, bill};
 pub use class::Class;
 pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut};
+pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{Audit, Bag, Given, LongestStretch, PackingError, Pattern, Scale, StowedSegment, audit};
-pub use polygon::vector_area;
+pub use polygon::{parallel_spacing, polygon};
+pub use radial::{Radial, radial};
 pub use space::space;
 pub use square::square;
 pub use stubs::Merged;
 pub use topological::topological;
 pub use traditional::{CELLS_PER_SIDE, traditional};
+pub use vector_area::vector_area;
 pub use web::{Canopy, Kind, Knot, Rope, Site, Web};

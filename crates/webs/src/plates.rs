@@ -166,6 +166,24 @@ mod tests {
     }
 
     #[test]
+    fn each_class_has_its_share_of_ropes_between_plates_and_to_corners() {
+        let plate_to_plate = 2.5 / 3.0 - 3.0_f64.sqrt() * 0.14;
+        let to_a_corner = (2.5 / 3.0 - 0.75_f64.sqrt() * 0.14).hypot(0.07);
+        for web in webs() {
+            let length = web.rope_length_by_class();
+            for (class, between_plates, to_corners) in [
+                (Class::Outline, 12.0, 24.0),
+                (Class::Ring, 36.0, 0.0),
+                (Class::Radial, 24.0, 12.0),
+                (Class::Inner, 72.0, 0.0),
+            ] {
+                let expected = between_plates * plate_to_plate + to_corners * to_a_corner;
+                assert!((length[&class] - expected).abs() < 1e-9, "{class}: {} of {expected}", length[&class]);
+            }
+        }
+    }
+
+    #[test]
     fn hexagons_are_26_04_m_of_rope_and_canopies_none() {
         let [topological, space] = webs();
         let length = topological.rope_length_by_class();

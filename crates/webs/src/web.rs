@@ -17,6 +17,12 @@ pub enum Kind {
     Space,
     /// A square net; see [`crate::square`].
     Square,
+    /// A regular polygon of concentric polygons and radials; see [`crate::polygon`].
+    Polygon,
+    /// Radials and rings; see [`crate::radial`].
+    Radial,
+    /// A net of rhombic meshes; see [`crate::diamond`].
+    Diamond,
     /// Any net, knot by knot and rope by rope; see [`crate::graph`].
     Graph,
 }
@@ -29,6 +35,9 @@ impl Kind {
             Kind::Topological => "topological",
             Kind::Space => "space",
             Kind::Square => "square",
+            Kind::Polygon => "polygon",
+            Kind::Radial => "radial",
+            Kind::Diamond => "diamond",
             Kind::Graph => "graph",
         }
     }

@@ -11,13 +11,13 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 9] = [
+pub const SCENARIOS: [(&str, &str); 15] = [
     (
         "space web, everything on board",
         r#"
 title = "Everything on board"
 web.space.side = "1 m"
-canopy.links = { side = "0.1 m", thickness = "5 mm", density = 2000, elastic_modulus = "9 GPa", damping_ratio = 0.1 }
+canopy.links = { material = "aramid cloth", side = "0.1 m", thickness = "5 mm", density = 2000, elastic_modulus = "9 GPa", damping_ratio = 0.1 }
 payload.cylinder = { diameter = "60 mm", height = "66 mm", density = 2710 }
 sensor.cylinder.mass = "0.2 kg"
 tractor.cylinder = { diameter = "50 mm", height = "0.1 m", density = 7800 }
@@ -28,6 +28,7 @@ measure.target_diameter = "1 m"
 record = { every = "0.1 ms", fields_every = "0.3 ms" }
 
 [rope]
+material = "aramid rope"
 diameter = "3 mm"
 density = 1440
 elastic_modulus = "70 GPa"
@@ -55,12 +56,13 @@ on_energy_error = "flag"
         "space web, the other bodies",
         r#"
 web.space.side = "1 m"
+canopy.links = { material = "nylon cloth", thickness = "0.3 mm" }
 payload.cylinder.mass = "0.1 kg"
 sensor.cylinder = { diameter = "50 mm", height = "50 mm", density = 2000 }
 tractor.particle.mass = "1 kg"
 stow.scale.factor = 0.5
 launch.radial_speed = "30 m/s"
-rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", damping_ratio = 0.2 }
+rope = { diameter = "3 mm", material = "polyester rope", elastic_modulus = "7 GPa", damping_ratio = 0.2 }
 solve = { duration = "2 ms", segment_length = "0.2 m", on_energy_error = "stop" }
 record.every = "0.2 ms"
 "#,
@@ -71,7 +73,7 @@ record.every = "0.2 ms"
 web.space.side = "1 m"
 payload.particle.mass = "0.1 kg"
 sensor.particle.mass = "0.2 kg"
-rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+rope = { diameter = "3 mm", material = "LCP rope", elastic_modulus = "7 GPa" }
 solve = { duration = "2 ms", segment_length = "0.2 m" }
 record.every = "0.2 ms"
 "#,
@@ -80,8 +82,8 @@ record.every = "0.2 ms"
         "traditional web, no two tractors alike",
         r#"
 web.traditional = { side = "1 m", cells_per_side = 3 }
-rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
-ropes.thick = { diameter = "6 mm", density = 1440, elastic_modulus = "7 GPa", strength = "9 kN", knot_reduction = 0.2, damping_ratio = 0 }
+rope = { diameter = "3 mm", material = "UHMWPE rope", elastic_modulus = "7 GPa" }
+ropes.thick = { material = "steel wire rope", diameter = "6 mm", density = 1440, elastic_modulus = "7 GPa", strength = "9 kN", knot_reduction = 0.2, damping_ratio = 0 }
 assign.outline = "thick"
 tractor.cylinder.mass = "0.4 kg"
 stow.bag.radius = "0.3 m"
@@ -111,8 +113,9 @@ cylinder.mass = "0.7 kg"
         r#"
 web.topological = { side = "1 m", hexagon_side = "0.1 m" }
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
-ropes.soft = { diameter = "3 mm", density = 970, elastic_modulus = "1 GPa", damping_time = "5 us" }
-assign.radial = "soft"
+ropes.soft = { diameter = "3 mm", material = "nylon rope", damping_time = "5 us" }
+ropes.thin = { diameter = "2 mm", material = "UHMWPE rope", elastic_modulus = "7 GPa" }
+assign = { radial = "soft", "ring 1" = "thin", "outline link 1-2" = "soft" }
 tractor.particle.mass = "0.5 kg"
 traction_rope.length = "0.4 m"
 launch.axial_speed = "-30 m/s"
@@ -124,8 +127,8 @@ record.every = "0.2 ms"
         "square net held at its corners, falling",
         r#"
 web.square = { side = "2 m", mesh = "0.5 m", segments_per_mesh = 2 }
-rope = { diameter = "3 mm", density = 1440, elastic_modulus = "1 GPa", pretension = "20 N" }
-ropes.lashing = { diameter = "4 mm", density = 1440, elastic_modulus = "1 GPa", pretension = "40 N" }
+rope = { diameter = "3 mm", material = "nylon rope", pretension = "20 N" }
+ropes.lashing = { diameter = "4 mm", material = "polyester rope", elastic_modulus = "1 GPa", pretension = "40 N" }
 assign.outline = "lashing"
 hold.corners = true
 solve.duration = "40 ms"
@@ -136,7 +139,7 @@ record.every = "2 ms"
         "square net, thrown, recorded out of step",
         r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
-rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+rope = { diameter = "3 mm", material = "steel wire rope", density = 1140, elastic_modulus = "5 GPa" }
 tractor.particle.mass = "0.3 kg"
 stow.scale.factor = 0.25
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
@@ -153,7 +156,7 @@ stow.file.path = "stowed.csv"
 points = { B = "m" }
 hold = { corners = false, nodes = ["d"] }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
-ropes.thick = { diameter = "5 mm", density = 1140, elastic_modulus = "1 GPa" }
+ropes.thick = { diameter = "5 mm", material = "aramid rope", density = 1140, elastic_modulus = "1 GPa" }
 tractor.particle.mass = "0.3 kg"
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "60 ms", segment_length = "0.2 m" }
@@ -161,11 +164,79 @@ record.every = "4 ms"
 "#,
     ),
     (
+        "square net with a drawstring",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m", gathering = { every = 2, excess = "10 %" } }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+stow.bag.radius = "0.3 m"
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve.duration = "30 ms"
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "octagon by its side",
+        r#"
+web.polygon = { sides = 8, side = "0.8 m", mesh = "0.3 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+stow.scale.factor = 0.25
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.3 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "triangle by its diameter, held",
+        r#"
+web.polygon = { sides = 3, diameter = "2 m", mesh = "0.2 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa", pretension = "20 N" }
+hold.corners = true
+solve = { duration = "20 ms", segment_length = "0.2 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "spider's web round a hub",
+        r#"
+web.radial = { diameter = "2 m", radials = 9, rings = 4, hub_diameter = "0.4 m", corners = 3 }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+stow.bag.radius = "0.3 m"
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "diamond net by its angle",
+        r#"
+web.diamond = { mesh = "0.25 m", meshes_wide = 5, meshes_high = 4, angle = "70 deg" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+stow.scale.factor = 0.25
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "diamond net by its hanging ratio, falling",
+        r#"
+web.diamond = { mesh = "0.25 m", meshes_wide = 3, meshes_high = 4, hanging_ratio = 0.6 }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+hold.nodes = ["knot 5"]
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
         "graph that moves by itself",
         r#"
 web.graph = { nodes = "moving.csv", ropes = "ropes.csv" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
-ropes.thick = { diameter = "5 mm", density = 1140, elastic_modulus = "1 GPa" }
+ropes.thick = { diameter = "5 mm", material = "LCP rope", density = 1140, elastic_modulus = "1 GPa" }
 solve.duration = "12 ms"
 "#,
     ),

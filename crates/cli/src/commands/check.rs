@@ -4,8 +4,9 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use netcast::dynamics::time::step::Stepper;
+use netcast::scenario::library::library;
 use netcast::webs::PACKED_FILL;
-use netcast::{Model, schedule};
+use netcast::{Document, Model, schedule};
 
 use super::ScenarioArguments;
 use crate::Ended;
@@ -16,20 +17,30 @@ use crate::screen::{audit, notes, number, rows, say};
 #[command(after_help = "\
 Examples:
   netcast check examples/04_square_net/square_net.toml
-  netcast check net.toml --set solve.segment_length=\"5 cm\"")]
+  netcast check net.toml --set solve.segment_length=\"5 cm\"
+  netcast check net.toml --links                 the names that [assign] may give a rope to")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
+
+    /// List every link with its class, ring, rope and length
+    #[arg(long)]
+    links: bool,
 }
 
 /// Carries it out.
 pub fn run(arguments: &Arguments) -> Ended {
-    let model = Model::new(&arguments.scenario.read()?)?;
+    let document = arguments.scenario.read()?;
+    let model = Model::new(&document)?;
     if !model.scenario.title.is_empty() {
         say!("{}", model.scenario.title);
     }
     notes(&model);
     bill(&model);
+    if arguments.links {
+        links(&model);
+    }
+    from_library(&document);
     audit(&model);
     cost(&model);
     Ok(())
@@ -70,6 +81,37 @@ fn bill(model: &Model) {
     if let Some(area) = model.cut.web.tractor_area() {
         lines.push(("area of the tractors' polygon".into(), format!("{} m^2 flat", number(area, 5))));
     }
+    rows(&lines);
+}
+
+/// What `[assign]` may name.
+fn links(model: &Model) {
+    say!("Links");
+    let described = model.links().into_iter().map(|link| {
+        let ring = link.ring.map_or(String::new(), |ring| format!(", ring {ring}"));
+        (link.name, format!("{}{ring}, of {}, {} m", link.class, link.rope, number(link.length, 4)))
+    });
+    rows(&described.collect::<Vec<_>>());
+}
+
+/// Which values are the library's, and whose they are.
+fn from_library(document: &Document) {
+    let taken = &document.library.taken;
+    if taken.is_empty() {
+        return;
+    }
+    say!("From the library of materials");
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for one in taken {
+        let summary = (one.table.clone(), format!("{}: {}", one.material, library().summary(&one.material)));
+        if !lines.contains(&summary) {
+            lines.push(summary);
+        }
+        lines.push((format!("  {}", one.key), format!("{} ({})", one.value, one.sources.join(", "))));
+    }
+    let is_named = |source: &str| taken.iter().any(|one| one.sources.iter().any(|name| name == source));
+    let named = library().sources.iter().filter(|(name, _)| is_named(name));
+    lines.extend(named.map(|(name, source)| (format!("source {name}"), source.clone())));
     rows(&lines);
 }
 

@@ -6,6 +6,7 @@ mod contract;
 mod failing_runs;
 mod killed;
 mod machine_says_no;
+mod materials;
 mod other_commands;
 mod overrides;
 mod result_folder;

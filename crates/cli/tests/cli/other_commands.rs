@@ -4,7 +4,8 @@ use std::fs;
 
 use crate::workbench::{SMALL_NET, Workbench};
 
-const KINDS: [&str; 6] = ["space", "traditional", "topological", "square", "graph", "held"];
+const KINDS: [&str; 9] =
+    ["space", "traditional", "topological", "square", "polygon", "radial", "diamond", "graph", "held"];
 
 #[test]
 fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {

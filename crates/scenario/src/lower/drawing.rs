@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use netcast_webs::{
-    Class, CutError, CutWeb, Cutting, Graph, GraphNode, GraphRope, Merged, Site, Web, WebError, cut, graph, space,
-    square, topological, traditional,
+    Class, CutError, CutWeb, Cutting, Diamond, Graph, GraphNode, GraphRope, Merged, Radial, Site, Web, WebError, cut,
+    diamond, graph, parallel_spacing, polygon, radial, space, square, topological, traditional,
 };
 
 use crate::csv_files::GraphFiles;
@@ -20,7 +20,7 @@ const SEGMENTS_PER_RADIUS: f64 = 25.0;
 
 /// Draws and cuts the web; writes the segment length into `scenario` where it was left out.
 pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String>) -> Result<CutWeb, Diagnostics> {
-    let mut web = kind(document, scenario)?;
+    let mut web = kind(document, scenario, notes)?;
     name_points(document, scenario, &mut web)?;
     let per_mesh = match &scenario.web {
         web::Web::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
@@ -36,8 +36,8 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
             length
         }
     };
-    // a graph's knots are the user's own
-    if !matches!(scenario.web, web::Web::Graph(_)) {
+    // the one web that its outline clips; elsewhere a short rope was asked for
+    if matches!(scenario.web, web::Web::Traditional(_)) {
         notes.extend(merged(web.merge_stubs(0.5 * length)));
     }
     let web = add_traction(document, scenario, web)?;
@@ -58,16 +58,10 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     })
 }
 
-fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
+fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Result<Web, Diagnostics> {
     let one = |path: &str, drawn: Result<Web, WebError>| {
         drawn.map_err(|error| {
-            let key = match &error {
-                WebError::MeshDoesNotDivide { .. } | WebError::MeshTooLarge { .. } => ".mesh",
-                WebError::Count { .. } if matches!(scenario.web, web::Web::Square(_)) => ".mesh",
-                WebError::Count { .. } => ".cells_per_side",
-                _ => ".side",
-            };
-            document.diagnostic(&format!("{path}{key}"), error.to_string()).into()
+            document.diagnostic(&format!("{path}.{}", key_of(&error, &scenario.web)), error.to_string()).into()
         })
     };
     match &scenario.web {
@@ -77,7 +71,42 @@ fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
             let canopy::Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
             one("web.space", space(w.side.si(), canopy.side.si()))
         }
-        web::Web::Square(w) => one("web.square", square(w.side.si(), w.mesh.si())),
+        web::Web::Square(w) => {
+            let net = square(w.side.si(), w.mesh.si());
+            let net = match &w.gathering {
+                Some(rope) => net.and_then(|net| net.with_gathering(rope.every.get() as usize, rope.excess.si())),
+                None => net,
+            };
+            one("web.square", net)
+        }
+        web::Web::Polygon(w) => {
+            let (sides, side, mesh) = (w.sides.get() as usize, w.side_m(), w.mesh.si());
+            let drawn = one("web.polygon", polygon(sides, side, mesh))?;
+            notes.extend(parallels_apart(sides, side, mesh));
+            Ok(drawn)
+        }
+        web::Web::Radial(w) => one(
+            "web.radial",
+            radial(&Radial {
+                diameter: w.diameter.si(),
+                radials: w.radials.get() as usize,
+                rings: w.rings.get() as usize,
+                hub_diameter: w.hub_diameter.map(|diameter| diameter.si()),
+                corners: w.corners.unwrap_or(w.radials).get() as usize,
+            }),
+        ),
+        web::Web::Diamond(w) => {
+            let net = Diamond {
+                mesh: w.mesh.si(),
+                hanging_ratio: w.hanging_ratio(),
+                meshes_wide: w.meshes_wide.get() as usize,
+                meshes_high: w.meshes_high.get() as usize,
+            };
+            let drawn = one("web.diamond", diamond(&net))?;
+            let [width, height] = net.size();
+            notes.push(format!("the diamond net is {width:.4} m wide and {height:.4} m high"));
+            Ok(drawn)
+        }
         web::Web::Graph(w) => {
             let files = document.graph.as_ref().expect("a document of a graph has read its files");
             Size::of_graph(files).require(document, "web.graph.ropes", "run it where there is more memory")?;
@@ -87,6 +116,41 @@ fn kind(document: &Document, scenario: &Scenario) -> Result<Web, Diagnostics> {
             })
         }
     }
+}
+
+/// The key of a web's table that an error is about.
+fn key_of(error: &WebError, web: &web::Web) -> &'static str {
+    match (error, web) {
+        (WebError::Count { what: "the number of sides", .. }, _) => "sides",
+        (WebError::Count { what: "the number of radials", .. }, _) => "radials",
+        (WebError::Count { what: "the number of rings", .. }, _) => "rings",
+        (WebError::Count { what: "the number of meshes across the width", .. }, _) => "meshes_wide",
+        (WebError::Count { what: "the number of meshes across the height", .. }, _) => "meshes_high",
+        (WebError::Count { .. }, web::Web::Traditional(_)) => "cells_per_side",
+        (WebError::Count { .. } | WebError::UnevenCorners { .. }, web::Web::Radial(_)) => "corners",
+        (WebError::HubTooLarge { .. }, _) => "hub_diameter",
+        (WebError::HangingRatio { .. }, web::Web::Diamond(net)) if net.hanging_ratio.is_none() => "angle",
+        (WebError::HangingRatio { .. }, _) => "hanging_ratio",
+        (WebError::TiesMissCorners { .. }, _) => "gathering.every",
+        (WebError::Excess { .. }, _) => "gathering.excess",
+        (
+            WebError::MeshDoesNotDivide { .. }
+            | WebError::MeshTooLarge { .. }
+            | WebError::MeshBeyondApothem { .. }
+            | WebError::Count { .. },
+            _,
+        ) => "mesh",
+        _ => "side",
+    }
+}
+
+/// That the parallels of a polygon are not a mesh apart.
+fn parallels_apart(sides: usize, side: f64, mesh: f64) -> Option<String> {
+    let spacing = parallel_spacing(sides, side, mesh).ok()?;
+    let differs = (spacing / mesh - 1.0).abs() > 1e-6;
+    differs.then(|| {
+        format!("the polygon's parallels are {spacing:.4} m apart: so a whole number of them comes nearest to {mesh} m")
+    })
 }
 
 /// The files' rows as the web's own lists.

@@ -6,6 +6,7 @@ use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_ti
 use netcast_dynamics::system::Segment;
 use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
+use super::assignment::{rings, ropes_of_links};
 use super::{canopy_links, is_plain};
 use crate::canopy::Canopy;
 use crate::csv_files::RopeRow;
@@ -92,21 +93,49 @@ pub struct PlacedBody {
     pub solid: crate::body::Solid,
 }
 
+/// A rope from knot to knot, as `[assign]` can name it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Its link class.
+    pub class: Class,
+    /// Its ring, from 1 in the middle, where it is of class `ring`.
+    pub ring: Option<usize>,
+    /// The name of its rope, `rope` for the default one.
+    pub rope: String,
+    /// Its length without tension as drawn, m.
+    pub length: f64,
+}
+
+/// The links of a web whose segments and groups these are, in the order of the web.
+pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> Vec<Link> {
+    let rings = rings(web);
+    let first_pieces = members.iter().filter_map(|member| match member.part {
+        Part::Rope(CutSegment { place: 0, rope, .. }) => Some((rope, member.segment.class)),
+        _ => None,
+    });
+    let link = |(rope, group): (usize, usize)| Link {
+        name: web.ropes[rope].label.clone(),
+        class: web.ropes[rope].class.clone(),
+        ring: rings[rope],
+        rope: groups[group].rope.clone().unwrap_or_default(),
+        length: web.rest_length(&web.ropes[rope]),
+    };
+    first_pieces.map(link).collect()
+}
+
 /// Makes segments and masses of a cut web.
-pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Materials, Diagnostics> {
+pub fn materials(
+    document: &Document,
+    cut: &CutWeb,
+    scenario: &Scenario,
+    notes: &mut Vec<String>,
+) -> Result<Materials, Diagnostics> {
     let web = &cut.web;
     let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
-    let kinds: Vec<(&str, &Rope)> =
-        web.ropes.iter().enumerate().map(|(i, rope)| kind_of(scenario, &rope.class, rows.get(i))).collect();
-
-    let mut classes: Vec<Class> = web.ropes.iter().map(|r| r.class.clone()).collect();
-    if !web.canopies.is_empty() {
-        classes.push(Class::Canopy);
-    }
-    classes.sort();
-    classes.dedup();
     class_names(document, cut, rows)?;
-    unassigned_classes(document, scenario, &classes)?;
+    let kinds = ropes_of_links(document, scenario, web, rows, notes)?;
     let groups = groups(web, &kinds);
     let group_number = |class: &Class, rope: Option<&str>| {
         let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
@@ -122,10 +151,7 @@ pub fn materials(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Resu
         let pretension = pretension(rope.rest_length.is_some(), kinds[segment.rope].1, rows.get(segment.rope));
         let piece = Piece::new(kinds[segment.rope].1, segment.rest_length, pretension);
         let ends = [segment.a, segment.b];
-        for end in ends {
-            mass[end] += 0.5 * piece.mass;
-        }
-        let piece = piece.between(ends, group_of_rope[segment.rope]);
+        let piece = piece.between(ends, group_of_rope[segment.rope], &mut mass);
         members.push(Member { segment: piece, part: Part::Rope(segment) });
     }
 
@@ -203,12 +229,6 @@ fn section(rope: &Rope) -> f64 {
     0.25 * PI * rope.diameter.si() * rope.diameter.si()
 }
 
-/// A rope's name and properties: its row's own in a graph's file, else its class's, else the default.
-fn kind_of<'s>(scenario: &'s Scenario, class: &Class, row: Option<&'s RopeRow>) -> (&'s str, &'s Rope) {
-    let name = row.and_then(|r| r.rope.as_deref()).or_else(|| scenario.assign.get(class.name()).map(|n| &n[..]));
-    name.and_then(|name| Some((name, scenario.ropes.get(name)?))).unwrap_or(("rope", &scenario.rope))
-}
-
 /// Names of link classes that would be taken for something else in the results.
 fn class_names(document: &Document, cut: &CutWeb, rows: &[RopeRow]) -> Result<(), Diagnostics> {
     let mut found = Vec::new();
@@ -225,24 +245,13 @@ fn class_names(document: &Document, cut: &CutWeb, rows: &[RopeRow]) -> Result<()
     Diagnostics::fail_if_any(found)
 }
 
-/// Classes named in `[assign]` that the web does not have.
-fn unassigned_classes(document: &Document, scenario: &Scenario, classes: &[Class]) -> Result<(), Diagnostics> {
-    let known: Vec<&str> = classes.iter().filter(|c| **c != Class::Canopy).map(Class::name).collect();
-    let wrong = scenario.assign.keys().filter(|class| !known.contains(&&class[..]));
-    let found = wrong.map(|class| {
-        let message = format!("this web has no link class {class:?}");
-        document.diagnostic(&format!("assign.{class}"), message).with_help(format!("it has: {}", known.join(", ")))
-    });
-    Diagnostics::fail_if_any(found.collect())
-}
-
 /// Tension as drawn, N. A rope whose rest length is given has the tension that follows from it.
 fn pretension(has_rest_length: bool, rope: &Rope, row: Option<&RopeRow>) -> f64 {
     let own = row.and_then(|r| r.pretension_n);
     if has_rest_length { own.unwrap_or(0.0) } else { own.unwrap_or(rope.pretension.si()) }
 }
 
-/// A segment of rope before it has a place.
+/// A segment before it has a place.
 struct Piece {
     rest_length: f64,
     stiffness: f64,
@@ -251,7 +260,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// A segment `drawn` metres long under `pretension`, N: its rest length is shorter by the strain T/EA.
+    /// A segment of rope `drawn` metres long under `pretension`, N: its rest length is shorter by the strain T/EA.
     fn new(rope: &Rope, drawn: f64, pretension: f64) -> Piece {
         let area = section(rope);
         let axial_stiffness = rope.elastic_modulus.si() * area;
@@ -265,28 +274,36 @@ impl Piece {
         Piece { rest_length, stiffness, damping, mass }
     }
 
-    fn between(&self, ends: [usize; 2], class: usize) -> Segment {
+    /// A member of a canopy.
+    fn of_canopy(made: &canopy_links::Members, stiffness: f64, mass: f64) -> Piece {
+        let damping = damping_from_ratio(made.damping_ratio, stiffness, mass);
+        Piece { rest_length: made.length, stiffness, damping, mass }
+    }
+
+    /// The segment between these nodes; half its mass goes to each.
+    fn between(&self, ends: [usize; 2], class: usize, mass: &mut [f64]) -> Segment {
+        for end in ends {
+            mass[end] += 0.5 * self.mass;
+        }
         Segment { ends, rest_length: self.rest_length, stiffness: self.stiffness, damping: self.damping, class }
     }
 }
 
 /// Spokes in three straight lines through the hub, then the sides round the rim: runs as long as they can be.
 fn add_canopies(cut: &CutWeb, made: &canopy_links::Members, class: usize, members: &mut Vec<Member>, mass: &mut [f64]) {
-    let mut add = |ends: [usize; 2], stiffness: f64, member_mass: f64, part: Part| {
-        for end in ends {
-            mass[end] += 0.5 * member_mass;
-        }
-        let damping = damping_from_ratio(made.damping_ratio, stiffness, member_mass);
-        members.push(Member { segment: Segment { ends, rest_length: made.length, stiffness, damping, class }, part });
+    let spoke = Piece::of_canopy(made, made.spoke_stiffness, made.spoke_mass);
+    let side = Piece::of_canopy(made, made.side_stiffness, made.side_mass);
+    let mut add = |piece: &Piece, ends: [usize; 2], part: Part| {
+        members.push(Member { segment: piece.between(ends, class, mass), part });
     };
     for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
         for number in [0, 3, 1, 4, 2, 5] {
             let ends = if number < 3 { [hexagon.rim[number], hexagon.hub] } else { [hexagon.hub, hexagon.rim[number]] };
-            add(ends, made.spoke_stiffness, made.spoke_mass, Part::Spoke { canopy, number });
+            add(&spoke, ends, Part::Spoke { canopy, number });
         }
         for number in 0..6 {
             let ends = [hexagon.rim[number], hexagon.rim[(number + 1) % 6]];
-            add(ends, made.side_stiffness, made.side_mass, Part::Side { canopy, number });
+            add(&side, ends, Part::Side { canopy, number });
         }
     }
 }

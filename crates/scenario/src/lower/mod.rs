@@ -1,15 +1,17 @@
 //! From what the user wrote to what is simulated: a [`Document`] becomes a [`Model`].
 //!
 //! ```text
-//! drawing   the web's geometry, cut into segments
-//! material  ropes, canopies and bodies as stiffness, damping and mass
-//! stowing   where the nodes lie
-//! launch    how fast they start
-//! size      whether the machine has the memory
+//! drawing     the web's geometry, cut into segments
+//! assignment  which rope each link has
+//! material    ropes, canopies and bodies as stiffness, damping and mass
+//! stowing     where the nodes lie
+//! launch      how fast they start
+//! size        whether the machine has the memory
 //! ```
 //!
 //! Everything that does not fit is reported at the place in the file that says so.
 
+mod assignment;
 mod canopy_links;
 mod drawing;
 mod launch;
@@ -17,7 +19,7 @@ mod material;
 mod size;
 mod stowing;
 
-pub use material::{Group, PlacedBody, Role};
+pub use material::{Group, Link, PlacedBody, Role};
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
@@ -105,12 +107,12 @@ impl Model {
     /// Everything that does not fit, as far as it can be told at once, each with its place.
     pub fn new(document: &Document) -> Result<Model, Diagnostics> {
         let mut scenario = document.scenario.clone();
-        let mut notes = Vec::new();
+        let mut notes = document.library.notes();
         let cut = drawing::draw(document, &mut scenario, &mut notes)?;
         let frame = launch::frame(&scenario);
         // what can be wrong with a web once it is drawn, all at once
         let mut found = Vec::new();
-        let materials = gather(material::materials(document, &cut, &scenario), &mut found);
+        let materials = gather(material::materials(document, &cut, &scenario, &mut notes), &mut found);
         let stowed = gather(stowing::stow(document, &cut, &mut scenario), &mut found);
         let velocity = gather(launch::velocities(document, &cut, &scenario), &mut found);
         let held = gather(held(document, &cut, &scenario), &mut found);
@@ -215,6 +217,11 @@ impl Model {
     /// What a message calls a node, such as "knot 12".
     pub fn node_label(&self, node: usize) -> String {
         self.cut.node_label(node)
+    }
+
+    /// The links of the web, as `[assign]` can name them.
+    pub fn links(&self) -> Vec<Link> {
+        material::links(&self.cut.web, &self.members, &self.groups)
     }
 
     /// Whether a segment is a piece of rope; members of canopies are not.

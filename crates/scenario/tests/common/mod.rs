@@ -5,6 +5,7 @@ use std::path::Path;
 use netcast_scenario::{Diagnostics, Document, Source};
 
 /// The scenario of the contract, as it stands there.
+#[allow(dead_code, reason = "not every test reads it")]
 pub const CONTRACT: &str = include_str!("../contract.toml");
 
 /// Reads a scenario named `net.toml` from its text.

@@ -134,7 +134,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{Cutting, cut, space, square, topological, traditional};
+    use crate::{Cutting, Diamond, Radial, cut, diamond, polygon, radial, space, square, topological, traditional};
 
     fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
         net.segments()
@@ -232,7 +232,7 @@ mod tests {
     proptest! {
         #[test]
         fn no_bag_within_its_limits_stretches_any_rope(
-            kind in 0..4_usize,
+            kind in 0..7_usize,
             radius_share in 0.02..1.0_f64,
             depth_share in 0.0..1.0_f64,
             segment_length in 0.05..1.0_f64,
@@ -242,7 +242,10 @@ mod tests {
                 0 => traditional(2.5, 6),
                 1 => topological(2.5, 0.14),
                 2 => space(2.5, 0.14),
-                _ => square(3.5, 0.5),
+                3 => polygon(5, 2.5, 0.4),
+                4 => radial(&Radial { diameter: 5.0, radials: 12, rings: 5, hub_diameter: Some(0.5), corners: 4 }),
+                5 => diamond(&Diamond { mesh: 0.5, hanging_ratio: 0.6, meshes_wide: 8, meshes_high: 5 }),
+                _ => square(3.5, 0.5).and_then(|net| net.with_gathering(7, 0.0)),
             };
             let web = web.unwrap().with_traction(1.2, 1).unwrap();
             let net = cut(&web, &Cutting::SegmentLength(segment_length)).unwrap();

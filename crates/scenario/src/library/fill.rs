@@ -1,0 +1,153 @@
+//! Puts the values of the library into a scenario as it was written, wherever it says `material` and does not say the
+//! value itself.
+
+use schemars::{Schema, SchemaGenerator, json_schema};
+
+use super::{Fibre, RopeMaterial, library, three_digits};
+use crate::interval::Positive;
+use crate::path::Path;
+use crate::quantity::{Density, Force, Length};
+use crate::tree::{Entry, Node, Table, Tree, Value};
+
+/// A value that a scenario has from the library.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Taken {
+    /// Its table, such as `ropes.border`.
+    pub table: String,
+    /// The name in the library.
+    pub material: String,
+    /// The value's key.
+    pub key: &'static str,
+    /// The value, as a scenario writes it.
+    pub value: String,
+    /// Where the library has it from: short names of [`super::Library::sources`].
+    pub sources: Vec<String>,
+}
+
+/// What the library gave to a scenario.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FromLibrary {
+    /// The values, in the order of the scenario.
+    pub taken: Vec<Taken>,
+    /// Tables that name a material and have all its values written beside it.
+    pub idle: Vec<String>,
+}
+
+impl FromLibrary {
+    /// What a user may not have expected.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let note = |table: &String| format!("{table}.material changes nothing: all its values are written beside it");
+        self.idle.iter().map(note).collect()
+    }
+
+    /// The values as comments, to stand above a scenario in which they are written out; empty where there are none.
+    pub fn comments(&self) -> String {
+        let line = |one: &Taken| {
+            let Taken { table, material, key, value, sources } = one;
+            format!("# [{table}] {material}: {key} = {value} ({})\n", sources.join(", "))
+        };
+        let lines: String = self.taken.iter().map(line).collect();
+        match lines.is_empty() {
+            true => lines,
+            false => format!("# From the library of materials; its sources are in docs/materials.md:\n{lines}\n"),
+        }
+    }
+}
+
+/// Fills in what is not written, and tells what it was. Names that the library does not have are passed over: the
+/// check of the schema reports them.
+pub(crate) fn fill(tree: &mut Tree) -> FromLibrary {
+    let mut filled = FromLibrary::default();
+    let Value::Table(root) = &mut tree.root.value else { return filled };
+    for Entry { key, node, .. } in &mut root.0 {
+        let Value::Table(table) = &mut node.value else { continue };
+        let path = Path::default().key(key);
+        match &key[..] {
+            "rope" => filled.fill(table, &path, rope),
+            "ropes" => filled.fill_each(table, &path, rope),
+            "canopy" => filled.fill_each(table, &path, cloth),
+            _ => {}
+        }
+    }
+    filled
+}
+
+/// Key, value and sources of what the library says of a material in such a table.
+type Known = (&'static str, String, Vec<String>);
+type Of = fn(&str, &Table) -> Option<Vec<Known>>;
+
+impl FromLibrary {
+    fn fill_each(&mut self, tables: &mut Table, path: &Path, of: Of) {
+        for Entry { key, node, .. } in &mut tables.0 {
+            if let Value::Table(table) = &mut node.value {
+                self.fill(table, &path.key(key), of);
+            }
+        }
+    }
+
+    fn fill(&mut self, table: &mut Table, path: &Path, of: Of) {
+        let Some(Node { origin, value }) = table.get("material").cloned() else { return };
+        let Some((material, known)) = value.as_text().and_then(|name| Some((name, of(name, table)?))) else { return };
+        let before = self.taken.len();
+        for (key, value, sources) in known {
+            if table.get(key).is_none() {
+                let node = Node { origin: origin.clone(), value: Value::String(value.clone()) };
+                table.0.push(Entry { key: key.into(), origin: origin.clone(), node });
+                self.taken.push(Taken { table: path.to_string(), material: material.to_owned(), key, value, sources });
+            }
+        }
+        if self.taken.len() == before {
+            self.idle.push(path.to_string());
+        }
+    }
+}
+
+fn rope(name: &str, table: &Table) -> Option<Vec<Known>> {
+    let material = library().ropes.get(name)?;
+    let density = Density::<Positive>::constant(material.nominal_density());
+    let modulus = gigapascals(material.nominal_elastic_modulus());
+    let mut known = vec![
+        ("density", density.to_string(), material.density.sources.clone()),
+        ("elastic_modulus", modulus, material.modulus_sources().to_vec()),
+    ];
+    known.extend(strength(material, table));
+    Some(known)
+}
+
+/// A modulus, given in Pa, as people write it.
+fn gigapascals(modulus: f64) -> String {
+    format!("{} GPa", three_digits(1e-9 * modulus))
+}
+
+/// The breaking load; none where the diameter, which decides it, cannot be read: that is reported elsewhere.
+fn strength(material: &RopeMaterial, table: &Table) -> Option<Known> {
+    let diameter = match &table.get("diameter")?.value {
+        Value::String(text) => Length::<Positive>::from_text(text).ok()?,
+        Value::Float(si) => Length::from_si(*si).ok()?,
+        Value::Integer(si) => Length::from_si(*si as f64).ok()?,
+        _ => return None,
+    };
+    let load = Force::<Positive>::from_si(material.breaking_load(diameter.si())).ok()?;
+    Some(("strength", load.to_string(), material.strength.sources.clone()))
+}
+
+fn cloth(name: &str, _: &Table) -> Option<Vec<Known>> {
+    let material = library().cloths.get(name)?;
+    let fibre: &Fibre = library().fibres.get(&material.fibre)?;
+    Some(vec![
+        ("density", fibre.density.value.to_string(), fibre.density.sources.clone()),
+        ("elastic_modulus", gigapascals(material.elastic_modulus(fibre)), fibre.modulus_n_tex.sources.clone()),
+    ])
+}
+
+/// The schema of `material` in a rope: one of the library's names.
+pub(crate) fn rope_names(_: &mut SchemaGenerator) -> Schema {
+    let names: Vec<&String> = library().ropes.keys().collect();
+    json_schema!({ "type": "string", "enum": names })
+}
+
+/// The schema of `material` in a canopy: one of the library's names.
+pub(crate) fn cloth_names(_: &mut SchemaGenerator) -> Schema {
+    let names: Vec<&String> = library().cloths.keys().collect();
+    json_schema!({ "type": "string", "enum": names })
+}

@@ -1,0 +1,130 @@
+//! Concentric polygons of rope joined by radials: what the polygon web and the radial-and-ring web share.
+//!
+//! A ring is a regular polygon; the sector between the radials of two neighbouring corners is crossed by as many
+//! further radials as the drawing asks for. Every radial lies on a straight line through the middle, so that radial k
+//! of m on a side of ring j meets ring j + 1 on the same ray.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
+use glam::DVec3;
+
+use crate::rope_list::RopeList;
+use crate::{Class, Kind, Knot, Site, Web};
+
+/// The drawing of such a web.
+pub(crate) struct Sectors {
+    /// Corners of each ring.
+    pub(crate) corners: usize,
+    /// How many of the outline's are corners of the web, evenly apart; a divisor of `corners`.
+    pub(crate) web_corners: usize,
+    /// Distance of each ring's corners from the middle, ascending, m; a first one of 0 is a single knot there.
+    pub(crate) radii: Vec<f64>,
+    /// Sectors' ropes in the band between each ring and the next: radials from a corner to the next corner, the next
+    /// one's own not counted. Each divides the one after it.
+    pub(crate) divisions: Vec<usize>,
+}
+
+impl Sectors {
+    /// The web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline, ring, radial. Feature points on the ray at 90 degrees: B the
+    /// innermost knot, C the corner, D the knot half way between (without one, the rope's middle).
+    pub(crate) fn web(&self, kind: Kind) -> Web {
+        let mut web = Web::empty(kind);
+        let rings: Vec<Vec<usize>> = (0..self.radii.len()).map(|ring| self.add_ring(&mut web.knots, ring)).collect();
+        let (inmost, outline) = (&rings[0], &rings[rings.len() - 1]);
+        web.corners = outline.iter().step_by(outline.len() / self.web_corners).copied().collect();
+        for (&corner, number) in web.corners.iter().zip(1..) {
+            web.knots[corner] = Knot::new(format!("web corner {number}"), web.knots[corner].position);
+        }
+
+        let mut ropes = RopeList::default();
+        for (number, ring) in rings.iter().enumerate().filter(|(_, ring)| ring.len() > 1) {
+            let closed: Vec<usize> = ring.iter().chain(&ring[..1]).copied().collect();
+            ropes.tie_along(&closed, if number + 1 == rings.len() { Class::Outline } else { Class::Ring });
+        }
+        for (band, pair) in rings.windows(2).enumerate() {
+            let radials = self.corners * self.divisions[band];
+            for radial in 0..radials {
+                // the knot in the middle is every radial's
+                let on = |ring: &[usize]| ring[radial * ring.len() / radials];
+                ropes.tie(on(&pair[0]), on(&pair[1]), Class::Radial);
+            }
+        }
+        web.ropes = ropes.into_ropes();
+
+        web.outline = outline.iter().map(|&knot| vec![knot]).collect();
+        web.centre = inmost.clone();
+        let (b, c) = (inmost[0], outline[0]);
+        let half_way = match &rings[1..rings.len() - 1] {
+            [] => {
+                let rope = web.ropes.iter().position(|rope| rope.a == b && rope.b == c);
+                Site::OnRope { rope: rope.expect("a radial runs to every corner"), fraction: 0.5 }
+            }
+            between => Site::Knot(between[(between.len() - 1) / 2][0]),
+        };
+        web.points = BTreeMap::from([("B".into(), Site::Knot(b)), ("C".into(), Site::Knot(c)), ("D".into(), half_way)]);
+        web
+    }
+
+    /// Adds the knots of a ring: at its corners, and where the radials of the band outside it begin.
+    fn add_ring(&self, knots: &mut Vec<Knot>, ring: usize) -> Vec<usize> {
+        let first = knots.len();
+        let mut add = |position| knots.push(Knot::new(format!("knot {}", knots.len() + 1), position));
+        let (radius, per_side) = (self.radii[ring], self.divisions[ring.min(self.divisions.len() - 1)]);
+        if radius == 0.0 {
+            add(DVec3::ZERO);
+        } else {
+            for corner in 0..self.corners {
+                let ends = [corner, corner + 1].map(|corner| direction(corner, self.corners) * radius);
+                for place in 0..per_side {
+                    // the same two products from either end, so that mirror images are exact
+                    add((ends[0] * (per_side - place) as f64 + ends[1] * place as f64) / per_side as f64);
+                }
+            }
+        }
+        (first..knots.len()).collect()
+    }
+}
+
+/// Unit vector at k n-ths of a turn anticlockwise from the y axis. Quarter turns and mirror images about the axes and
+/// the diagonals are exact.
+fn direction(k: usize, n: usize) -> DVec3 {
+    let (quarter, rest) = (4 * k / n % 4, 4 * k % n);
+    let eighth = |part: usize| libm::sincos(FRAC_PI_2 * (part as f64 / n as f64));
+    let (sin, cos) = match (2 * rest).cmp(&n) {
+        std::cmp::Ordering::Less => eighth(rest),
+        std::cmp::Ordering::Equal => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+        std::cmp::Ordering::Greater => {
+            let (sin, cos) = eighth(n - rest);
+            (cos, sin)
+        }
+    };
+    let (x, y) = match quarter {
+        0 => (-sin, cos),
+        1 => (-cos, -sin),
+        2 => (sin, -cos),
+        _ => (cos, sin),
+    };
+    DVec3::new(x, y, 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn directions_are_those_of_the_circle_with_exact_mirror_images() {
+        for n in 3..50 {
+            for k in 0..n {
+                let (sin, cos) = libm::sincos(TAU * k as f64 / n as f64);
+                assert!(direction(k, n).distance(DVec3::new(-sin, cos, 0.0)) < 1e-14, "{k} of {n}");
+                let (one, other) = (direction(k, n), direction(n - k, n));
+                assert_eq!((one.x, one.y), (-other.x, other.y), "{k} of {n}");
+            }
+        }
+        assert_eq!(direction(0, 7), DVec3::Y);
+        assert_eq!(direction(3, 8), -direction(7, 8));
+    }
+}
