@@ -1,10 +1,11 @@
 //! Where the energy is and where it went.
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::forces::{gravity, mass_damping, rope_tension};
+use crate::forces::{gravity, load, mass_damping, rope_tension};
+use crate::state::State;
 use crate::system::System;
+use crate::time::step::StepSums;
 
 /// The energy balance at one time, J. What is stored is computed from the state; what was lost is the
 /// integral of its own power or work, step by step (trapezoidal rule). None is found by difference.
@@ -18,23 +19,36 @@ pub struct Ledger {
     pub elastic: f64,
     /// Potential energy of weight, relative to the origin.
     pub gravity: f64,
+    /// Potential energy of loads, relative to the origin.
+    pub load: f64,
     /// Lost to damping inside ropes since the start.
     pub rope_damping: f64,
     /// Lost to mass-proportional damping since the start.
     pub mass_damping: f64,
+    /// Work done on what moves driven nodes since the start; negative where these have moved the net.
+    pub drive: f64,
 }
 
 impl Ledger {
     /// The stored energy of a state; nothing lost yet.
-    pub fn of(system: &System, position: &[DVec3], velocity: &[DVec3]) -> Ledger {
+    pub fn of(system: &System, state: &State) -> Ledger {
+        let State { position, velocity, rotation } = state;
         let mut ledger = Ledger {
             gravity: gravity::energy(system.environment().gravity, system.mass(), position),
+            load: load::energy(system.loads(), position),
             ..Ledger::default()
         };
         for (node, v) in velocity.iter().enumerate() {
             let energy = 0.5 * system.mass()[node] * v.length_squared();
             ledger.kinetic += energy;
             if !system.tractor()[node] {
+                ledger.kinetic_web += energy;
+            }
+        }
+        for (body, rotation) in system.bodies().iter().zip(rotation) {
+            let energy = body.rotational_energy(rotation);
+            ledger.kinetic += energy;
+            if !system.tractor()[body.centre] {
                 ledger.kinetic_web += energy;
             }
         }
@@ -47,15 +61,22 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 5] {
-        let Ledger { kinetic, kinetic_web: _, elastic, gravity, rope_damping, mass_damping } = *self;
+    pub fn channels(&self) -> [(&'static str, f64); 7] {
+        let Ledger { kinetic, kinetic_web: _, elastic, gravity, load, rope_damping, mass_damping, drive } = *self;
         [
             ("kinetic", kinetic),
             ("elastic", elastic),
             ("gravity", gravity),
+            ("load", load),
             ("rope_damping", rope_damping),
             ("mass_damping", mass_damping),
+            ("drive", drive),
         ]
+    }
+
+    /// What is stored, kinetic and potential.
+    pub fn stored(&self) -> f64 {
+        self.kinetic + self.elastic + self.gravity + self.load
     }
 
     /// The sum over all channels.
@@ -75,7 +96,7 @@ pub struct Balance {
     start: Ledger,
     largest_residual: f64,
     largest_mechanical: f64,
-    lowest_gravity: f64,
+    lowest_weight: f64,
     largest_web: f64,
 }
 
@@ -86,7 +107,7 @@ impl Balance {
             start,
             largest_residual: 0.0,
             largest_mechanical: f64::MIN,
-            lowest_gravity: f64::MAX,
+            lowest_weight: f64::MAX,
             largest_web: 0.0,
         };
         balance.add(&start);
@@ -96,8 +117,8 @@ impl Balance {
     /// Takes a later ledger into account.
     pub fn add(&mut self, ledger: &Ledger) {
         self.largest_residual = self.largest_residual.max(ledger.residual(&self.start).abs());
-        self.largest_mechanical = self.largest_mechanical.max(ledger.kinetic + ledger.elastic + ledger.gravity);
-        self.lowest_gravity = self.lowest_gravity.min(ledger.gravity);
+        self.largest_mechanical = self.largest_mechanical.max(ledger.stored());
+        self.lowest_weight = self.lowest_weight.min(ledger.gravity + ledger.load);
         self.largest_web = self.largest_web.max(ledger.kinetic_web + ledger.elastic);
     }
 
@@ -116,9 +137,9 @@ impl Balance {
         self.largest_residual
     }
 
-    /// |residual| over the largest total energy of the run; weight energy counts from the lowest that it reached.
+    /// |residual| over the largest total energy of the run; weight and loads count from the lowest that they reached.
     pub fn closure(&self) -> f64 {
-        ratio(self.largest_residual, self.largest_mechanical - self.lowest_gravity)
+        ratio(self.largest_residual, self.largest_mechanical - self.lowest_weight)
     }
 
     /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
@@ -136,22 +157,25 @@ fn ratio(residual: f64, energy: f64) -> f64 {
 pub(crate) struct Losses {
     rope: f64,
     mass: Integral,
+    drive: f64,
 }
 
 impl Losses {
-    pub fn add_rope_work(&mut self, work: f64) {
-        self.rope += work;
+    /// Adds the work of the forces of a step, since those of the step before.
+    pub fn add_work(&mut self, sums: &StepSums) {
+        self.rope += sums.rope_work;
+        self.drive += sums.drive_work;
     }
 
     pub fn add_mass_power(&mut self, power: f64, dt: f64) {
         self.mass.add(power, dt);
     }
 
-    /// The ledger of a state at which the work in ropes has been added and the power of mass damping not yet.
-    pub fn ledger(&self, system: &System, position: &[DVec3], velocity: &[DVec3], dt: f64) -> Ledger {
+    /// The ledger of a state at which work has been added and the power of mass damping not yet.
+    pub fn ledger(&self, system: &System, state: &State, dt: f64) -> Ledger {
         let mut mass = self.mass;
-        mass.add(mass_damping::lost_power(system.environment().mass_damping, system.mass(), velocity), dt);
-        Ledger { rope_damping: self.rope, mass_damping: mass.value, ..Ledger::of(system, position, velocity) }
+        mass.add(mass_damping::lost_power(system, state), dt);
+        Ledger { rope_damping: self.rope, mass_damping: mass.value, drive: self.drive, ..Ledger::of(system, state) }
     }
 }
 

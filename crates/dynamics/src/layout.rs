@@ -51,29 +51,29 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Lays out `segments` between `nodes` nodes. Takes O(nodes + segments) time.
-    pub fn new(nodes: usize, segments: &[Segment], held: &[bool], class_count: usize) -> Layout {
+    /// Lays out `segments` between `nodes` nodes, of which those that are `resting` never move. Takes O(nodes + segments) time.
+    pub fn new(nodes: usize, segments: &[Segment], resting: &[bool], class_count: usize) -> Layout {
         let mut blocks = Vec::new();
         for class in 0..class_count {
             pack(class, runs(nodes, segments, class), &mut blocks);
         }
         pack(class_count, lone_nodes(nodes, segments), &mut blocks);
 
-        let mut slots_of = vec![Vec::new(); nodes];
+        let slots_of = slots_by_node(nodes, &blocks);
         let mut segment_slots = vec![Address { block: usize::MAX, slot: usize::MAX }; segments.len()];
         for (block, plan) in blocks.iter().enumerate() {
             for (slot, content) in plan.slots.iter().enumerate() {
-                let address = Address { block, slot };
-                slots_of[content.node].push(address);
                 if let Some(segment) = content.segment {
-                    segment_slots[segment] = address;
+                    segment_slots[segment] = Address { block, slot };
                 }
             }
         }
         let homes = slots_of.iter().map(|slots| *slots.last().expect("every node has a slot")).collect();
-        // a held node stays where it is in every slot: there is nothing to exchange
-        let exchanging = slots_of.into_iter().zip(held).filter(|(slots, held)| slots.len() > 1 && !**held);
-        Layout { blocks, homes, knots: exchanging.map(|(slots, _)| slots).collect(), segment_slots }
+        // a node that rests is where it is in every slot: there is nothing to exchange
+        let exchanging = slots_of.into_iter().zip(resting).filter(|(slots, resting)| slots.len() > 1 && !**resting);
+        let mut knots: Vec<Vec<Address>> = exchanging.map(|(slots, _)| slots).collect();
+        knots.sort_unstable_by_key(|slots| slots.last().copied());
+        Layout { blocks, homes, knots, segment_slots }
     }
 
     /// The blocks, classes in order.
@@ -86,7 +86,7 @@ impl Layout {
         &self.homes
     }
 
-    /// The slots of each free node that lies in several, ascending: the last is its home.
+    /// The slots of each moving node that lies in several, ascending: the last is its home. By home, ascending.
     pub fn knots(&self) -> &[Vec<Address>] {
         &self.knots
     }
@@ -96,10 +96,26 @@ impl Layout {
         &self.segment_slots
     }
 
+    /// All slots of each node, ascending; shape (nodes,).
+    pub fn slots_by_node(&self) -> Vec<Vec<Address>> {
+        slots_by_node(self.homes.len(), &self.blocks)
+    }
+
     /// Number of slots in all blocks.
     pub fn slot_count(&self) -> usize {
         self.blocks.iter().map(|b| b.slots.len()).sum()
     }
+}
+
+/// All slots of each node, ascending.
+fn slots_by_node(nodes: usize, blocks: &[BlockPlan]) -> Vec<Vec<Address>> {
+    let mut slots_of = vec![Vec::new(); nodes];
+    for (block, plan) in blocks.iter().enumerate() {
+        for (slot, content) in plan.slots.iter().enumerate() {
+            slots_of[content.node].push(Address { block, slot });
+        }
+    }
+    slots_of
 }
 
 /// Walks that together use every segment of `class` once: each a list of slots.

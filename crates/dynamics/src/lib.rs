@@ -29,9 +29,10 @@
 //!     segments: vec![rope],
 //!     class_count: 1,
 //!     environment: Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 0.0 },
+//!     ..SystemParts::default()
 //! }
 //! .build()?;
-//! let state = State { position: vec![DVec3::ZERO, DVec3::X], velocity: vec![DVec3::ZERO; 2] };
+//! let state = State { position: vec![DVec3::ZERO, DVec3::X], velocity: vec![DVec3::ZERO; 2], ..State::default() };
 //!
 //! struct Lowest(f64);
 //! impl Observer for Lowest {
@@ -47,6 +48,8 @@
 //! # Ok::<(), netcast_dynamics::system::SystemError>(())
 //! ```
 
+pub mod body;
+pub mod drive;
 pub mod energy;
 pub mod forces;
 pub mod layout;

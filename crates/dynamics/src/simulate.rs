@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::body::Rotation;
 use crate::energy::{Balance, Ledger, Losses};
 use crate::limits::{Excess, Limits};
 use crate::snapshot::Snapshot;
@@ -90,6 +91,8 @@ pub struct Frame<'s> {
     pub position: &'s [DVec3],
     /// Velocities, m/s, (nodes,).
     pub velocity: &'s [DVec3],
+    /// Rotations of rigid bodies, (bodies,).
+    pub rotation: &'s [Rotation],
     /// Tensions, N, (segments,).
     pub tension: &'s [f64],
     /// The energy balance.
@@ -223,12 +226,12 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Outcome {
     snapshot.check(system, schedule).unwrap_or_else(|error| panic!("{error}"));
-    let Snapshot { step, motion, losses, balance, ledger, exceeded } = snapshot;
+    let Snapshot { motion, losses, balance, ledger, exceeded } = snapshot;
     let mut net = Stepper::resume(system, motion, schedule.dt, threads);
     // the forces at the record; what ropes lost on the way there is in the losses
     net.forces();
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
-    let mut run = Run { net, schedule, limits: observer.limits(), step: *step, losses: *losses, record };
+    let mut run = Run { net, schedule, limits: observer.limits(), step: motion.step, losses: *losses, record };
     run.net.team().lead(|| run.go_on(observer))
 }
 
@@ -251,7 +254,7 @@ impl Run<'_> {
             self.stepped(sums, observer);
             while !self.schedule.records(self.step) {
                 let sums = self.net.step();
-                self.losses.add_rope_work(sums.rope_work);
+                self.losses.add_work(&sums);
                 if !sums.rope_work.is_finite() {
                     return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
                 }
@@ -267,7 +270,7 @@ impl Run<'_> {
     fn look(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
-        self.losses.add_rope_work(sums.rope_work);
+        self.losses.add_work(&sums);
         let measured =
             sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
         if !measured {
@@ -301,10 +304,10 @@ impl Run<'_> {
 
     /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
     fn snapshot(&self) -> Snapshot {
-        let Run { net, schedule: _, limits: _, step, losses, record } = self;
-        let Record { position: _, velocity: _, tension: _, ledger, balance: _, exceeded } = record;
+        let Run { net, schedule: _, limits: _, step: _, losses, record } = self;
+        let Record { state: _, tension: _, ledger, balance: _, exceeded } = record;
         let (motion, balance) = (net.motion(), record.balance());
-        Snapshot { step: *step, motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded }
+        Snapshot { motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded }
     }
 
     /// Time of the step that is next, s.
@@ -320,8 +323,7 @@ impl Run<'_> {
 
 /// The net at a record time, in buffers that are used again.
 struct Record {
-    position: Vec<DVec3>,
-    velocity: Vec<DVec3>,
+    state: State,
     tension: Vec<f64>,
     ledger: Ledger,
     balance: Option<Balance>,
@@ -330,10 +332,8 @@ struct Record {
 
 impl Record {
     fn new(system: &System) -> Record {
-        let nodes = system.mass().len();
         Record {
-            position: vec![DVec3::ZERO; nodes],
-            velocity: vec![DVec3::ZERO; nodes],
+            state: State::default(),
             tension: vec![0.0; system.segments().len()],
             ledger: Ledger::default(),
             balance: None,
@@ -351,22 +351,21 @@ impl Record {
         limits: &Limits,
         observer: &mut dyn Observer,
     ) -> bool {
-        for node in 0..self.position.len() {
-            (self.position[node], self.velocity[node]) = (net.position(node), net.velocity(node));
-        }
+        net.state(&mut self.state);
         for (segment, tension) in self.tension.iter_mut().enumerate() {
             *tension = net.tension(segment);
         }
-        let ledger = losses.ledger(net.system(), &self.position, &self.velocity, net.dt());
+        let ledger = losses.ledger(net.system(), &self.state, net.dt());
         if !ledger.sum().is_finite() {
             return false;
         }
         let balance = self.balance.get_or_insert_with(|| Balance::new(ledger));
         balance.add(&ledger);
         self.ledger = ledger;
-        let (position, velocity, tension) = (&self.position[..], &self.velocity[..], &self.tension[..]);
+        let State { position, velocity, rotation } = &self.state;
+        let tension = &self.tension;
         let residual = ledger.residual(balance.start());
-        let frame = Frame { time, step, position, velocity, tension, ledger, residual };
+        let frame = Frame { time, step, position, velocity, rotation, tension, ledger, residual };
         observer.record(&frame);
         self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
         true

@@ -12,6 +12,7 @@ use crate::energy::{Balance, Ledger, Losses};
 use crate::limits::Excess;
 use crate::simulate::Schedule;
 use crate::system::System;
+use crate::time::attached::Turning;
 
 /// What moves, by node: a [`Stepper`](crate::time::step::Stepper) started from it computes the same bits as the one it
 /// was taken from.
@@ -23,12 +24,15 @@ pub struct Motion {
     pub half_step_velocity: Vec<DVec3>,
     /// Velocities extrapolated to the positions, m/s, (nodes,).
     pub extrapolated: Vec<DVec3>,
+    /// How rigid bodies turn, (bodies,).
+    pub turning: Vec<Turning>,
+    /// Steps taken.
+    pub step: u64,
 }
 
 /// A run at a record time. It goes on by [`resume`](crate::simulate::resume).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
-    pub(crate) step: u64,
     pub(crate) motion: Motion,
     pub(crate) losses: Losses,
     pub(crate) balance: Balance,
@@ -40,13 +44,13 @@ pub struct Snapshot {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SnapshotError {
     /// It is one of another system.
-    #[error("the snapshot has {what} of {found} nodes, the system has {expected}")]
-    Nodes {
+    #[error("the snapshot has {found} {what}, the system has {expected}")]
+    Shape {
         /// Which quantity.
         what: &'static str,
-        /// Number of nodes in the snapshot.
+        /// How many the snapshot has.
         found: usize,
-        /// Number of nodes of the system.
+        /// How many the system has.
         expected: usize,
     },
     /// It is one of another schedule.
@@ -60,7 +64,7 @@ pub enum SnapshotError {
 impl Snapshot {
     /// The step that is next.
     pub fn step(&self) -> u64 {
-        self.step
+        self.motion.step
     }
 
     /// Whether a run of `system` along `schedule` can go on from here.
@@ -68,19 +72,20 @@ impl Snapshot {
     /// # Errors
     /// [`SnapshotError`] where it is a snapshot of something else.
     pub fn check(&self, system: &System, schedule: &Schedule) -> Result<(), SnapshotError> {
-        let Motion { position, half_step_velocity, extrapolated } = &self.motion;
-        let expected = system.mass().len();
+        let Motion { position, half_step_velocity, extrapolated, turning, step } = &self.motion;
+        let nodes = system.mass().len();
         let arrays = [
-            ("positions", position.len()),
-            ("half-step velocities", half_step_velocity.len()),
-            ("extrapolated velocities", extrapolated.len()),
+            ("positions of nodes", position.len(), nodes),
+            ("half-step velocities of nodes", half_step_velocity.len(), nodes),
+            ("extrapolated velocities of nodes", extrapolated.len(), nodes),
+            ("rotations of bodies", turning.len(), system.bodies().len()),
         ];
-        if let Some((what, found)) = arrays.into_iter().find(|(_, found)| *found != expected) {
-            return Err(SnapshotError::Nodes { what, found, expected });
+        if let Some((what, found, expected)) = arrays.into_iter().find(|(_, found, expected)| found != expected) {
+            return Err(SnapshotError::Shape { what, found, expected });
         }
-        match self.step < schedule.count && schedule.records(self.step) {
+        match *step < schedule.count && schedule.records(*step) {
             true => Ok(()),
-            false => Err(SnapshotError::Step { step: self.step }),
+            false => Err(SnapshotError::Step { step: *step }),
         }
     }
 }

@@ -2,6 +2,9 @@
 
 use glam::DVec3;
 
+use crate::body::Body;
+use crate::drive::Drive;
+use crate::forces::load::Load;
 use crate::layout::Layout;
 
 /// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6).
@@ -43,6 +46,9 @@ pub struct System {
     tractor: Vec<bool>,
     segments: Vec<Segment>,
     class_count: usize,
+    loads: Vec<Load>,
+    bodies: Vec<Body>,
+    drives: Vec<Drive>,
     environment: Environment,
     layout: Layout,
 }
@@ -50,7 +56,7 @@ pub struct System {
 /// What a [`System`] is made from; [`SystemParts::build`] checks it.
 #[derive(Debug, Clone, Default)]
 pub struct SystemParts {
-    /// Mass of each node, kg; shape (nodes,).
+    /// Mass of each node, kg; shape (nodes,). What a rigid body carries has none.
     pub mass: Vec<f64>,
     /// Whether a node stays where it is; shape (nodes,).
     pub held: Vec<bool>,
@@ -60,6 +66,12 @@ pub struct SystemParts {
     pub segments: Vec<Segment>,
     /// Number of link classes.
     pub class_count: usize,
+    /// Constant forces.
+    pub loads: Vec<Load>,
+    /// Rigid bodies.
+    pub bodies: Vec<Body>,
+    /// Nodes that are moved along paths; they are held as well.
+    pub drives: Vec<Drive>,
     /// Gravity and damping.
     pub environment: Environment,
 }
@@ -108,6 +120,18 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
+    /// A load, a body or a drive names a node that it cannot have.
+    #[error("{what} {index} has node {node}, which {why}")]
+    Attached {
+        /// What names it.
+        what: &'static str,
+        /// Which of them.
+        index: usize,
+        /// The node.
+        node: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
     /// Gravity or damping is out of range.
     #[error("the environment's {what} is {value}")]
     Environment {
@@ -123,7 +147,7 @@ impl SystemParts {
     ///
     /// # Errors
     /// The first part that is out of range, as a [`SystemError`].
-    pub fn build(self) -> Result<System, SystemError> {
+    pub fn build(mut self) -> Result<System, SystemError> {
         let nodes = self.mass.len();
         if nodes == 0 {
             return Err(SystemError::Empty);
@@ -133,8 +157,19 @@ impl SystemParts {
                 return Err(SystemError::Shape { what, found, expected: nodes });
             }
         }
+        self.check_attached()?;
+        let mut carried = vec![false; nodes];
+        for tie in self.bodies.iter().flat_map(|body| &body.ties) {
+            carried[tie.node] = true;
+        }
         for (node, &mass) in self.mass.iter().enumerate() {
-            let enough = if self.held[node] { mass >= 0.0 } else { mass > 0.0 };
+            let enough = if carried[node] {
+                mass == 0.0
+            } else if self.held[node] {
+                mass >= 0.0
+            } else {
+                mass > 0.0
+            };
             if !(enough && mass.is_finite()) {
                 return Err(SystemError::Mass { node, mass });
             }
@@ -163,16 +198,59 @@ impl SystemParts {
         if !(mass_damping >= 0.0 && mass_damping.is_finite()) {
             return Err(SystemError::Environment { what: "damping, 1/s", value: mass_damping });
         }
-        let layout = Layout::new(nodes, &self.segments, &self.held, self.class_count);
+        let mut resting = self.held.clone();
+        for drive in &self.drives {
+            resting[drive.node] = false;
+            // what drives it has to do with its mass, the net has not
+            self.mass[drive.node] = 0.0;
+        }
+        let layout = Layout::new(nodes, &self.segments, &resting, self.class_count);
         Ok(System {
             mass: self.mass,
             held: self.held,
             tractor: self.tractor,
             segments: self.segments,
             class_count: self.class_count,
+            loads: self.loads,
+            bodies: self.bodies,
+            drives: self.drives,
             environment: self.environment,
             layout,
         })
+    }
+
+    /// That loads, bodies and drives have nodes of the right kind, and values that can be computed with.
+    fn check_attached(&self) -> Result<(), SystemError> {
+        let nodes = self.mass.len();
+        let wrong = |what, index, node, why| Err(SystemError::Attached { what, index, node, why });
+        for (index, load) in self.loads.iter().enumerate() {
+            if load.node >= nodes || !load.force.is_finite() {
+                return wrong("load", index, load.node, "does not exist, or whose force is not finite");
+            }
+        }
+        let mut taken = vec![false; nodes];
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.centre >= nodes || !(body.inertia.is_finite() && body.inertia.min_element() > 0.0) {
+                return wrong("body", index, body.centre, "does not exist, or about which there is no inertia");
+            }
+            for tie in &body.ties {
+                if tie.node >= nodes || self.held[tie.node] || taken[tie.node] || !tie.arm.is_finite() {
+                    return wrong("body", index, tie.node, "does not exist, is held, or is tied to a body already");
+                }
+                taken[tie.node] = true;
+            }
+        }
+        if let Some((index, body)) = self.bodies.iter().enumerate().find(|(_, body)| taken[body.centre]) {
+            return wrong("body", index, body.centre, "is its centre and tied to a body");
+        }
+        for (index, drive) in self.drives.iter().enumerate() {
+            let ascending = drive.path.windows(2).all(|pair| pair[0].0 < pair[1].0);
+            let finite = drive.path.iter().all(|(time, place)| time.is_finite() && place.is_finite());
+            if drive.node >= nodes || !self.held[drive.node] || drive.path.is_empty() || !(ascending && finite) {
+                return wrong("drive", index, drive.node, "is not held, or whose path does not go forward in time");
+            }
+        }
+        Ok(())
     }
 }
 
@@ -200,6 +278,21 @@ impl System {
     /// Number of link classes.
     pub fn class_count(&self) -> usize {
         self.class_count
+    }
+
+    /// Constant forces.
+    pub fn loads(&self) -> &[Load] {
+        &self.loads
+    }
+
+    /// Rigid bodies.
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// Nodes that are moved along paths.
+    pub fn drives(&self) -> &[Drive] {
+        &self.drives
     }
 
     /// Gravity and damping.

@@ -2,6 +2,9 @@
 
 mod nets;
 
+use glam::{DQuat, DVec3};
+use netcast_dynamics::drive::Drive;
+use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::time::readable::Readable;
 use netcast_dynamics::time::step::{Engine, Stepper, Vectors};
 use netcast_dynamics::time::step_size::step_limit;
@@ -39,12 +42,30 @@ fn agree(net: nets::Net, steps: usize) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// A body between the last two nodes, a load on it and on a knot, and a node that is driven.
+fn attach(net: &mut nets::Net, driven: usize) {
+    let nodes = net.parts.mass.len();
+    let ties = [nodes - 1, nodes - 2];
+    if ties.contains(&driven) {
+        return;
+    }
+    let middle = 0.5 * (net.state.position[ties[0]] + net.state.position[ties[1]]);
+    let inertia = DVec3::new(0.02, 0.03, 0.04);
+    let centre = net.body(middle, 3.0 * DVec3::X, 0.5, inertia, (DQuat::IDENTITY, DVec3::new(5.0, -3.0, 20.0)), &ties);
+    net.parts.loads = [centre, driven, 1].map(|node| Load { node, force: DVec3::new(1.0, -2.0, 0.5) }).into();
+    let from = net.state.position[driven];
+    net.parts.drives = vec![Drive { node: driven, path: vec![(0.0, from), (0.01, from + DVec3::new(0.1, 0.2, 0.0))] }];
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool) {
+    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool, attached: bool) {
         net.parts.held[held] = true;
+        if attached {
+            attach(&mut net, held);
+        }
         if surrounded {
             net.parts.environment = nets::surroundings();
         }

@@ -4,10 +4,13 @@
 //! |---|---|---|
 //! | tension of ropes, with their internal damping | [`rope_tension`] | elastic, rope_damping |
 //! | weight | [`gravity`] | gravity |
+//! | constant forces on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
+pub mod element;
 pub mod gravity;
+pub mod load;
 pub mod mass_damping;
 pub mod rope_tension;

@@ -87,28 +87,27 @@ pub fn damping_from_ratio(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
 }
 
-/// Adds the pull of every segment to `force`, N, (nodes,), and writes it to `pulls`, (segments,). `dt` is the step, s.
+/// Writes what every segment does to `pulls`, (segments,), each from its slot to the next. `dt` is the step, s.
+pub fn pull_all(system: &System, position: &[DVec3], velocity: &[DVec3], dt: f64, pulls: &mut [Pull]) {
+    for block in system.layout().blocks() {
+        for pair in block.slots.windows(2) {
+            if let Some(index) = pair[0].segment {
+                let (s, [a, b]) = (system.segments()[index], [pair[0].node, pair[1].node]);
+                let (span, rate) = (position[b] - position[a], velocity[b] - velocity[a]);
+                pulls[index] = pull(span.into(), rate.into(), s.rest_length, s.stiffness, s.damping, dt);
+            }
+        }
+    }
+}
+
+/// Adds the pull of every segment to `force`, N, (nodes,).
 ///
 /// Forces on a node are summed over its slots in the layout's order; see [`crate::layout`].
-pub fn add_force(
-    system: &System,
-    position: &[DVec3],
-    velocity: &[DVec3],
-    dt: f64,
-    force: &mut [DVec3],
-    pulls: &mut [Pull],
-) {
+pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
     for block in system.layout().blocks() {
         let mut left = DVec3::ZERO;
-        for (i, slot) in block.slots.iter().enumerate() {
-            let mut right = DVec3::ZERO;
-            if let Some(index) = slot.segment {
-                let (s, next) = (system.segments()[index], block.slots[i + 1].node);
-                let span = position[next] - position[slot.node];
-                let rate = velocity[next] - velocity[slot.node];
-                pulls[index] = pull(span.into(), rate.into(), s.rest_length, s.stiffness, s.damping, dt);
-                right = pulls[index].force.into();
-            }
+        for slot in &block.slots {
+            let right = slot.segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
             force[slot.node] += right - left;
             left = right;
         }

@@ -7,6 +7,9 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
+
+use super::attached::Moving;
 use crate::forces::rope_tension::{self, LANES, sum_lanes};
 use crate::layout::{Address, BlockPlan};
 use crate::system::System;
@@ -33,6 +36,8 @@ pub(super) struct Nodes {
     /// Sum of m v^2 at the step, J.
     pub mass_velocity_squared: f64,
     exchange: Exchange,
+    /// Homes of nodes on which something beside ropes may act: slot and node.
+    attached: Vec<(u32, u32)>,
 }
 
 /// The segments of a block: each joins a slot to the next.
@@ -63,7 +68,7 @@ pub(super) type Told = [f64; 6];
 /// What a block exchanges with others and within itself, knot by knot.
 #[derive(Debug, Clone, Default)]
 struct Exchange {
-    /// Homes of knots: slot, and its part of `others`.
+    /// Homes of knots, ascending: slot, and its part of `others`.
     homes: Vec<(u32, Range<u32>)>,
     /// The other slots of these knots: block and slot.
     others: Vec<(u32, u32)>,
@@ -72,13 +77,16 @@ struct Exchange {
 }
 
 impl Nodes {
-    fn new(plan: &BlockPlan, block: usize, system: &System, exchange: Exchange) -> Nodes {
+    fn new(plan: &BlockPlan, block: usize, system: &System, exchange: Exchange, touched: &[bool]) -> Nodes {
         let (filled, padded) = padding(plan);
-        let mut mass = vec![0.0; filled];
+        let (mut mass, mut attached) = (vec![0.0; filled], Vec::new());
         for (i, slot) in plan.slots.iter().enumerate() {
             let at_home = system.layout().homes()[slot.node] == Address { block, slot: i };
             if at_home && !system.held()[slot.node] {
                 mass[i] = system.mass()[slot.node];
+            }
+            if at_home && touched[slot.node] {
+                attached.push((i as u32, slot.node as u32));
             }
         }
         Nodes {
@@ -91,6 +99,7 @@ impl Nodes {
             per_mass: mass.iter().map(|&m| if m > 0.0 { 1.0 / m } else { 0.0 }).collect(),
             mass,
             exchange,
+            attached,
         }
     }
 
@@ -122,21 +131,27 @@ impl Nodes {
         }
     }
 
-    /// Collects the forces of a knot's other slots at its home.
-    pub fn collect(&mut self, ropes: &[Ropes]) {
+    /// Collects at their homes the forces of knots' other slots, and those `attached` to nodes, N, (nodes,).
+    pub fn collect(&mut self, ropes: &[Ropes], attached: &[DVec3]) {
         let n = self.mass.len();
         let [fx, fy, fz] = &mut self.elsewhere;
         let (fx, fy, fz) = (&mut fx[..n], &mut fy[..n], &mut fz[..n]);
+        let alone = self.attached.is_empty();
+        if !alone {
+            let homes = self.exchange.homes.iter().map(|(home, _)| (*home as usize, DVec3::ZERO));
+            let attached = self.attached.iter().map(|&(slot, node)| (slot as usize, attached[node as usize]));
+            homes.chain(attached).for_each(|(slot, force)| (fx[slot], fy[slot], fz[slot]) = force.into());
+        }
         for (home, others) in &self.exchange.homes {
-            let mut force = [0.0; 3];
+            let at = *home as usize;
+            let mut force = if alone { [0.0; 3] } else { [fx[at], fy[at], fz[at]] };
             for &(block, slot) in &self.exchange.others[others.start as usize..others.end as usize] {
                 let part = ropes[block as usize].slot_force(slot as usize);
                 for k in 0..3 {
                     force[k] += part[k];
                 }
             }
-            let home = *home as usize;
-            (fx[home], fy[home], fz[home]) = (force[0], force[1], force[2]);
+            (fx[at], fy[at], fz[at]) = (force[0], force[1], force[2]);
         }
     }
 
@@ -144,6 +159,23 @@ impl Nodes {
     pub fn force(&self, ropes: &Ropes, slot: usize) -> [f64; 3] {
         let own = ropes.slot_force(slot);
         std::array::from_fn(|axis| self.elsewhere[axis][slot] + own[axis])
+    }
+
+    /// How the node in `slot` moves.
+    pub fn moving(&self, slot: usize) -> Moving {
+        let of = |components: &Components| components.each_ref().map(|values| values[slot]).into();
+        Moving { x: of(&self.x), v: of(&self.v), w: of(&self.w) }
+    }
+
+    /// Puts the node that has its home in `slot` somewhere else, and tells its other slots.
+    pub fn carry(&mut self, slot: usize, moving: Moving, told: &mut [Told]) {
+        let Moving { x, v, w } = moving;
+        for k in 0..3 {
+            (self.x[k][slot], self.v[k][slot], self.w[k][slot]) = (x[k], v[k], w[k]);
+        }
+        if let Ok(place) = self.exchange.homes.binary_search_by_key(&(slot as u32), |(home, _)| *home) {
+            told[place] = [x.x, x.y, x.z, w.x, w.y, w.z];
+        }
     }
 
     /// Mass of the node that has its home in `slot`, and its inverse; zero where it is held.
@@ -180,6 +212,11 @@ impl Ropes {
         }
     }
 
+    /// The same as a vector.
+    pub fn force_on(&self, slot: usize) -> DVec3 {
+        self.slot_force(slot).into()
+    }
+
     /// The force of a slot's two segments on it, N.
     #[inline(always)]
     fn slot_force(&self, slot: usize) -> [f64; 3] {
@@ -190,8 +227,8 @@ impl Ropes {
     }
 }
 
-/// The blocks of a system.
-pub(super) fn blocks(system: &System) -> (Vec<Nodes>, Vec<Ropes>) {
+/// The blocks of a system, in which something beside ropes may act on the nodes that are `touched`.
+pub(super) fn blocks(system: &System, touched: &[usize]) -> (Vec<Nodes>, Vec<Ropes>) {
     let layout = system.layout();
     let mut exchanges = vec![Exchange::default(); layout.blocks().len()];
     for slots in layout.knots() {
@@ -205,8 +242,10 @@ pub(super) fn blocks(system: &System) -> (Vec<Nodes>, Vec<Ropes>) {
             exchanges[other.block].guests.push((other.slot as u32, home.block as u32, place));
         }
     }
+    let mut is_touched = vec![false; system.mass().len()];
+    touched.iter().for_each(|&node| is_touched[node] = true);
     let plans = layout.blocks().iter().enumerate().zip(exchanges);
-    let nodes = plans.map(|((block, plan), exchange)| Nodes::new(plan, block, system, exchange)).collect();
+    let nodes = plans.map(|((block, plan), exchange)| Nodes::new(plan, block, system, exchange, &is_touched)).collect();
     (nodes, layout.blocks().iter().map(|plan| Ropes::new(plan, system)).collect())
 }
 

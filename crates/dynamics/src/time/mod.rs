@@ -13,6 +13,7 @@
 //! internal damping. The velocity *at* n is the mean of its two neighbours. (Hairer, Lubich, Wanner, Geometric
 //! Numerical Integration, 2006, section I.1.4; Verlet 1967.)
 
+pub mod attached;
 mod blocks;
 pub mod readable;
 pub mod step;

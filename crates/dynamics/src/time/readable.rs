@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::StepFactors;
+use super::attached::{Attached, Moving, Turning, started};
 use crate::forces::rope_tension::Pull;
 use crate::forces::{gravity, rope_tension};
 use crate::state::State;
@@ -24,51 +25,86 @@ pub struct Readable<'a> {
     pub pulls: Vec<Pull>,
     /// Work lost inside ropes between the last two forces, J.
     pub rope_work: f64,
+    attached: Option<Attached<'a>>,
+    taken: u64,
 }
 
 impl<'a> Readable<'a> {
     /// Starts from `state` with steps of `dt` seconds.
     pub fn new(system: &'a System, state: &State, dt: f64) -> Readable<'a> {
-        let at_rest = |node: usize| if system.held()[node] { DVec3::ZERO } else { state.velocity[node] };
-        let velocity: Vec<_> = (0..state.velocity.len()).map(at_rest).collect();
+        let State { position, velocity, rotation } = started(system, state, dt);
+        let factors = StepFactors::new(dt, system.environment().mass_damping);
+        let turning = rotation.iter().copied().map(Turning::starting).collect();
         let mut net = Readable {
             system,
-            factors: StepFactors::new(dt, system.environment().mass_damping),
-            position: state.position.clone(),
+            factors,
+            position,
             extrapolated: velocity.clone(),
             velocity,
             pulls: vec![Pull { tension: 0.0, force: [0.0; 3], length: 0.0, friction: 0.0 }; system.segments().len()],
             rope_work: 0.0,
+            attached: Attached::new(system, factors, turning),
+            taken: 0,
         };
+        let (x, v) = (&net.position, &net.velocity);
+        let placed = |node: usize| Moving { x: x[node], v: v[node], w: v[node] };
+        net.attached.iter_mut().for_each(|attached| attached.place(placed));
         let acceleration = net.accelerations();
-        for node in (0..acceleration.len()).filter(|&n| !system.held()[n]) {
+        for node in (0..acceleration.len()).filter(|&n| is_free(system, n)) {
             for k in 0..3 {
-                net.velocity[node][k] = net.factors.before_start(state.velocity[node][k], acceleration[node][k]);
+                net.velocity[node][k] = net.factors.before_start(net.velocity[node][k], acceleration[node][k]);
             }
         }
+        net.attached.iter_mut().for_each(|attached| attached.before_start(&rotation));
         net
     }
 
     /// One step: forces, kick, drift.
     pub fn step(&mut self) {
         let acceleration = self.accelerations();
-        for node in (0..acceleration.len()).filter(|&n| !self.system.held()[n]) {
+        for node in (0..acceleration.len()).filter(|&n| is_free(self.system, n)) {
             for k in 0..3 {
                 let (v, x, a) = (self.velocity[node][k], self.position[node][k], acceleration[node][k]);
                 let [v, x, w] = self.factors.advance(v, x, a);
                 (self.velocity[node][k], self.position[node][k], self.extrapolated[node][k]) = (v, x, w);
             }
         }
+        self.taken += 1;
+        self.carry();
     }
 
     /// The sum of all effects over the mass. Mass-proportional damping is in the factors of the step.
     fn accelerations(&mut self) -> Vec<DVec3> {
-        let (system, mut force) = (self.system, vec![DVec3::ZERO; self.position.len()]);
-        let before = self.pulls.clone();
+        let (system, before) = (self.system, self.pulls.clone());
         let (x, w, dt) = (&self.position, &self.extrapolated, self.factors.dt);
-        rope_tension::add_force(system, x, w, dt, &mut force, &mut self.pulls);
+        rope_tension::pull_all(system, x, w, dt, &mut self.pulls);
         self.rope_work = rope_tension::lost_work(system, &before, &self.pulls);
+
+        let mut force = vec![DVec3::ZERO; x.len()];
+        if let Some(attached) = &mut self.attached {
+            attached.act();
+            let mut with_ropes = attached.force().to_vec();
+            rope_tension::add_force(system, &self.pulls, &mut with_ropes);
+            attached.couple(|node, _| with_ropes[node], |node| x[node]);
+            force.copy_from_slice(attached.force());
+        }
+        rope_tension::add_force(system, &self.pulls, &mut force);
         gravity::add_force(system.environment().gravity, system.mass(), &mut force);
         force.iter().zip(system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
     }
+
+    /// Bodies turn and take their ties along, driven nodes go on.
+    fn carry(&mut self) {
+        let Some(attached) = &mut self.attached else { return };
+        let (x, v, w) = (&mut self.position, &mut self.velocity, &mut self.extrapolated);
+        let time = self.taken as f64 * self.factors.dt;
+        for &(node, moving) in attached.carry(time, |node| Moving { x: x[node], v: v[node], w: w[node] }) {
+            (x[node], v[node], w[node]) = (moving.x, moving.v, moving.w);
+        }
+    }
+}
+
+/// Whether a node goes where forces take it.
+fn is_free(system: &System, node: usize) -> bool {
+    !system.held()[node] && system.mass()[node] > 0.0
 }

@@ -6,6 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::StepFactors;
+use super::attached::{Attached, AttachedSums, Moving, Turning, carried_velocities, started};
 pub use super::blocks::Vectors;
 use super::blocks::{Nodes, Ropes, Told, blocks};
 use crate::layout::Address;
@@ -86,6 +87,8 @@ pub struct StepSums {
     pub rope_work: f64,
     /// Power lost to mass-proportional damping at the step before, W.
     pub mass_power: f64,
+    /// Work done on what drives nodes since the forces before, J.
+    pub drive_work: f64,
 }
 
 /// A net in motion.
@@ -97,6 +100,12 @@ pub struct Stepper<'a> {
     ropes: Vec<Ropes>,
     /// What the knots of each block tell their other slots.
     told: Vec<Vec<Told>>,
+    /// What there is beside ropes, if anything.
+    attached: Option<Attached<'a>>,
+    /// All slots of each node, (nodes,), where something is attached.
+    slots: Vec<Vec<Address>>,
+    /// Steps taken.
+    taken: u64,
     team: Team,
     vectors: Vectors,
 }
@@ -110,7 +119,8 @@ impl<'a> Stepper<'a> {
 
     /// As [`Stepper::new`], on a chosen engine. The result is the same on any.
     pub fn on(engine: Engine, system: &'a System, state: &State, dt: f64) -> Stepper<'a> {
-        let mut stepper = Stepper::empty(engine, system, dt);
+        let turning = state.rotation.iter().copied().map(Turning::starting).collect();
+        let mut stepper = Stepper::empty(engine, system, dt, turning);
         stepper.start(state);
         stepper
     }
@@ -118,15 +128,18 @@ impl<'a> Stepper<'a> {
     /// Goes on from where [`Stepper::motion`] left off, between two steps, on at most `threads` threads. The first
     /// forces tell no work lost in ropes: they do not know the lengths before.
     pub fn resume(system: &'a System, motion: &Motion, dt: f64, threads: usize) -> Stepper<'a> {
-        let mut stepper = Stepper::empty(Engine { threads, ..Engine::default() }, system, dt);
-        stepper.put_all(motion);
+        let engine = Engine { threads, ..Engine::default() };
+        let mut stepper = Stepper::empty(engine, system, dt, motion.turning.clone());
+        stepper.taken = motion.step;
+        stepper.put_all(&motion.position, &motion.half_step_velocity, &motion.extrapolated);
         stepper
     }
 
     /// All that a step depends on: forces and tensions follow from it, and the rest never changes.
     pub fn motion(&self) -> Motion {
         // taken apart field by field, so that what is new cannot be forgotten here
-        let Stepper { system, factors: _, gravity: _, nodes, ropes: _, told: _, team: _, vectors: _ } = self;
+        let Stepper { system, nodes, attached, taken, .. } = self;
+        let Stepper { factors: _, gravity: _, ropes: _, told: _, slots: _, team: _, vectors: _, .. } = self;
         let of_each = |value: fn(&Nodes, usize) -> [f64; 3]| {
             let homes = system.layout().homes().iter();
             homes.map(|&Address { block, slot }| value(&nodes[block], slot).into()).collect()
@@ -135,21 +148,28 @@ impl<'a> Stepper<'a> {
             position: of_each(|nodes, slot| nodes.x.each_ref().map(|x| x[slot])),
             half_step_velocity: of_each(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
             extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
+            turning: attached.as_ref().map_or(Vec::new(), |attached| attached.turning().to_vec()),
+            step: *taken,
         }
     }
 
     /// A net whose nodes are nowhere yet.
-    fn empty(engine: Engine, system: &'a System, dt: f64) -> Stepper<'a> {
-        let (nodes, ropes) = blocks(system);
+    fn empty(engine: Engine, system: &'a System, dt: f64, turning: Vec<Turning>) -> Stepper<'a> {
+        let (nodes, ropes) = blocks(system, &Attached::touched(system).collect::<Vec<_>>());
         let Engine { threads, vectors, least_slots_for_threads } = engine;
         let worth_it = threads > 1 && system.layout().slot_count() >= least_slots_for_threads;
+        let factors = StepFactors::new(dt, system.environment().mass_damping);
+        let attached = Attached::new(system, factors, turning);
         Stepper {
             system,
-            factors: StepFactors::new(dt, system.environment().mass_damping),
+            factors,
             gravity: system.environment().gravity.into(),
             told: nodes.iter().map(|block| vec![Told::default(); block.home_count()]).collect(),
             nodes,
             ropes,
+            slots: if attached.is_some() { system.layout().slots_by_node() } else { Vec::new() },
+            attached,
+            taken: 0,
             team: if worth_it { Team::of(threads) } else { Team::default() },
             vectors,
         }
@@ -158,23 +178,23 @@ impl<'a> Stepper<'a> {
     /// Sets the state and the half-step velocities before it.
     fn start(&mut self, state: &State) {
         let system = self.system;
-        let free = |(&held, &v): (&bool, &DVec3)| if held { DVec3::ZERO } else { v };
-        let velocity: Vec<DVec3> = system.held().iter().zip(&state.velocity).map(free).collect();
-        let position = state.position.clone();
-        self.put_all(&Motion { position, half_step_velocity: velocity.clone(), extrapolated: velocity });
+        let State { position, velocity, rotation } = started(system, state, self.factors.dt);
+        self.put_all(&position, &velocity, &velocity);
         self.forces();
         for (node, &home) in system.layout().homes().iter().enumerate() {
-            if !system.held()[node] {
-                let (v, a) = (state.velocity[node], self.acceleration(node));
+            if !system.held()[node] && system.mass()[node] > 0.0 {
+                let (v, a) = (velocity[node], self.acceleration(node));
                 let before = std::array::from_fn(|k| self.factors.before_start(v[k], a[k]));
-                self.put(home, state.position[node].into(), before, v.into());
+                self.put(home, position[node].into(), before, v.into());
             }
+        }
+        if let Some(attached) = &mut self.attached {
+            attached.before_start(&rotation);
         }
     }
 
-    /// Puts every node into every one of its slots.
-    fn put_all(&mut self, motion: &Motion) {
-        let Motion { position, half_step_velocity, extrapolated } = motion;
+    /// Puts every node into every one of its slots. Each of shape (nodes,).
+    fn put_all(&mut self, position: &[DVec3], half_step_velocity: &[DVec3], extrapolated: &[DVec3]) {
         for (block, plan) in self.system.layout().blocks().iter().enumerate() {
             for (slot, content) in plan.slots.iter().enumerate() {
                 let at = |of: &[DVec3]| of[content.node].to_array();
@@ -182,6 +202,9 @@ impl<'a> Stepper<'a> {
             }
         }
         self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
+        if let Some(attached) = &mut self.attached {
+            attached.place(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
+        }
     }
 
     fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
@@ -202,19 +225,22 @@ impl<'a> Stepper<'a> {
     /// going on.
     pub fn forces(&mut self) -> StepSums {
         self.pull();
-        let ropes = &self.ropes;
-        self.team.for_each(&mut self.nodes, &mut self.told, |_, nodes, _| nodes.collect(ropes));
+        let (ropes, attached) = (&self.ropes, self.attached.as_ref().map_or(&[][..], Attached::force));
+        self.team.for_each(&mut self.nodes, &mut self.told, |_, nodes, _| nodes.collect(ropes, attached));
         self.sums()
     }
 
     /// The second part of [`Stepper::step`].
     pub fn advance(&mut self) -> StepSums {
         let (factors, gravity, ropes, vectors) = (self.factors, self.gravity, &self.ropes, self.vectors);
+        let attached = self.attached.as_ref().map_or(&[][..], Attached::force);
         self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
-            nodes.collect(ropes);
+            nodes.collect(ropes, attached);
             vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
             nodes.tell(told);
         });
+        self.taken += 1;
+        self.carry();
         self.sums()
     }
 
@@ -224,13 +250,33 @@ impl<'a> Stepper<'a> {
             nodes.hear(told);
             vectors.pull_segments(nodes, ropes, dt);
         });
+        let Some(attached) = &mut self.attached else { return };
+        let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
+        attached.act();
+        attached.couple(
+            |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
+            |node| nodes[homes[node].block].moving(homes[node].slot).x,
+        );
+    }
+
+    /// Moves what is carried, and tells its other slots.
+    fn carry(&mut self) {
+        let Some(attached) = &mut self.attached else { return };
+        let (homes, nodes) = (self.system.layout().homes(), &mut self.nodes);
+        let time = self.taken as f64 * self.factors.dt;
+        for &(node, moving) in attached.carry(time, |node| nodes[homes[node].block].moving(homes[node].slot)) {
+            nodes[homes[node].block].carry(homes[node].slot, moving, &mut self.told[homes[node].block]);
+        }
     }
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
+        let AttachedSums { drive_work, turning } =
+            self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum(),
-            mass_power: self.system.environment().mass_damping * squares,
+            mass_power: self.system.environment().mass_damping * (squares + turning),
+            drive_work,
         }
     }
 
@@ -269,10 +315,24 @@ impl<'a> Stepper<'a> {
         self.nodes[block].v.each_ref().map(|v| v[slot]).into()
     }
 
-    /// Velocity of a node at its position, m/s; only between [`Stepper::forces`] and [`Stepper::advance`].
-    pub fn velocity(&self, node: usize) -> DVec3 {
-        if self.system.held()[node] {
-            return DVec3::ZERO;
+    /// The state at the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
+    pub fn state(&self, state: &mut State) {
+        let (system, State { position, velocity, rotation }) = (self.system, state);
+        let nodes = 0..system.mass().len();
+        position.clear();
+        position.extend(nodes.clone().map(|node| self.position(node)));
+        velocity.clear();
+        velocity.extend(nodes.map(|node| self.velocity(node)));
+        *rotation = self.attached.as_ref().map_or(Vec::new(), Attached::rotations);
+        carried_velocities(system, rotation, position, velocity);
+    }
+
+    /// Velocity of a node at its position, m/s, those of ties apart.
+    fn velocity(&self, node: usize) -> DVec3 {
+        let Address { block, slot } = self.system.layout().homes()[node];
+        if self.system.mass()[node] == 0.0 || self.system.held()[node] {
+            // at rest, or driven
+            return self.nodes[block].moving(slot).w;
         }
         let (before, a) = (self.half_step_velocity(node), self.acceleration(node));
         DVec3::from_array(std::array::from_fn(|k| self.factors.at_step(before[k], a[k])))

@@ -49,6 +49,18 @@ pub fn step_limit(system: &System) -> StepLimit {
             }
         }
     }
+    // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
+    // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
+    for body in system.bodies() {
+        let gyration_squared = body.inertia.min_element() / system.mass()[body.centre].max(f64::MIN_POSITIVE);
+        for tie in &body.ties {
+            let lever = 1.0 + tie.arm.length_squared() / gyration_squared;
+            let pulled = stiffest[tie.node];
+            stiffness[body.centre] += lever * std::mem::take(&mut stiffness[tie.node]);
+            damping[body.centre] += lever * std::mem::take(&mut damping[tie.node]);
+            stiffest[body.centre] = stiffest[body.centre].or(pulled);
+        }
+    }
     let bound = |node: usize, c: f64| {
         let (mass, k) = (system.mass()[node], stiffness[node]);
         mass / (c + (c * c + 0.5 * k * mass).sqrt())

@@ -1,7 +1,8 @@
 //! Nets for the tests of this crate.
 #![allow(dead_code)] // each test program uses its own part
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
+use netcast_dynamics::body::{Body, Tie};
 use netcast_dynamics::forces::rope_tension::damping_from_ratio;
 use netcast_dynamics::simulate::{Frame, Live, Observer};
 use netcast_dynamics::state::State;
@@ -59,6 +60,28 @@ impl Net {
             net.segment(i, i + 1, length / count as f64, m);
         }
         net
+    }
+
+    /// A rigid body of this mass and inertia at `position`, moving at `velocity`, turned and turning as `rotation` says
+    /// (rad/s in the world frame), that carries `ties` from where they are. Returns its centre.
+    pub fn body(
+        &mut self,
+        position: DVec3,
+        velocity: DVec3,
+        mass: f64,
+        inertia: DVec3,
+        rotation: (DQuat, DVec3),
+        ties: &[usize],
+    ) -> usize {
+        let centre = self.node(position, velocity);
+        self.parts.mass[centre] = mass;
+        let arm = |node: usize| rotation.0.inverse() * (self.state.position[node] - position);
+        let ties: Vec<Tie> = ties.iter().map(|&node| Tie { node, arm: arm(node) }).collect();
+        ties.iter().for_each(|tie| self.parts.mass[tie.node] = 0.0);
+        let body = Body { centre, inertia, ties };
+        self.state.rotation.push(body.turning(rotation.0, rotation.1));
+        self.parts.bodies.push(body);
+        centre
     }
 
     pub fn build(&self) -> System {

@@ -1,0 +1,238 @@
+//! What acts beside the ropes: loads, elements, rigid bodies, driven nodes. Both steps call it in the same order.
+//!
+//! ```text
+//! act      forces of loads and elements on their nodes, where these are now
+//! couple   bodies collect what pulls at their ties; drives count what pulls at them
+//! carry    after nodes have moved: bodies turn and take their ties along, drives go on
+//! ```
+//!
+//! Nodes are reached through closures, for each step keeps them in its own way. Forces are summed in the order of the
+//! system's lists, whatever the number of threads.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::StepFactors;
+use crate::body::{Body, Rotation};
+use crate::forces::load;
+use crate::state::State;
+use crate::system::System;
+
+/// A node as a step has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Moving {
+    /// Position, m.
+    pub x: DVec3,
+    /// Half-step velocity, m/s.
+    pub v: DVec3,
+    /// Velocity extrapolated to the step, m/s.
+    pub w: DVec3,
+}
+
+/// How a body turns, as [`Moving`] says how a node moves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Turning {
+    /// Orientation at the step, and angular momentum half a step before, kg m^2/s.
+    pub half_step: Rotation,
+    /// Angular momentum extrapolated to the step, kg m^2/s.
+    pub extrapolated: DVec3,
+}
+
+/// All that is attached to a net, in motion.
+pub(super) struct Attached<'a> {
+    system: &'a System,
+    factors: StepFactors,
+    /// Force on each node, N, (nodes,); that of ropes is not in it.
+    force: Vec<DVec3>,
+    turning: Vec<Turning>,
+    /// Torque on each body at the last forces, N m.
+    torque: Vec<DVec3>,
+    /// Force on each driven node, N, and its position, m, at the last forces.
+    driven: Vec<(DVec3, DVec3)>,
+    sums: AttachedSums,
+    /// What is carried, ties and then driven nodes, and how it moves now.
+    carried: Vec<(usize, Moving)>,
+}
+
+/// What is summed over all that is attached, from the forces before to these.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct AttachedSums {
+    /// Work that the net has done on what drives it, J.
+    pub drive_work: f64,
+    /// Power lost by turning bodies to mass-proportional damping, over its factor: the sum of L . omega, J.
+    pub turning: f64,
+}
+
+impl<'a> Attached<'a> {
+    /// None where a system has nothing of the kind.
+    pub fn new(system: &'a System, factors: StepFactors, turning: Vec<Turning>) -> Option<Self> {
+        let nothing = system.loads().is_empty() && system.bodies().is_empty() && system.drives().is_empty();
+        (!nothing).then(|| Attached {
+            system,
+            factors,
+            force: vec![DVec3::ZERO; system.mass().len()],
+            turning,
+            torque: vec![DVec3::ZERO; system.bodies().len()],
+            driven: vec![(DVec3::ZERO, DVec3::ZERO); system.drives().len()],
+            sums: AttachedSums::default(),
+            carried: Vec::new(),
+        })
+    }
+
+    /// Force on each node beside that of ropes, N, (nodes,).
+    pub fn force(&self) -> &[DVec3] {
+        &self.force
+    }
+
+    /// How each body turns.
+    pub fn turning(&self) -> &[Turning] {
+        &self.turning
+    }
+
+    /// Sums of the last forces.
+    pub fn sums(&self) -> AttachedSums {
+        self.sums
+    }
+
+    /// The nodes on which something beside ropes may act.
+    pub fn touched(system: &System) -> impl Iterator<Item = usize> {
+        let loads = system.loads().iter().map(|load| load.node);
+        loads.chain(system.bodies().iter().map(|body| body.centre))
+    }
+
+    /// The forces of loads and elements.
+    pub fn act(&mut self) {
+        self.force.fill(DVec3::ZERO);
+        load::add_force(self.system.loads(), &mut self.force);
+    }
+
+    /// The force of a body's ties on it and of nodes on their drives. `pull` tells the force of ropes on a node, added
+    /// to what is given; `at` tells where a node is.
+    pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, at: impl Fn(usize) -> DVec3) {
+        self.sums = AttachedSums::default();
+        for (body, torque) in self.system.bodies().iter().zip(&mut self.torque) {
+            *torque = DVec3::ZERO;
+            for tie in &body.ties {
+                let force = pull(tie.node, self.force[tie.node]);
+                self.force[body.centre] += force;
+                *torque += (at(tie.node) - at(body.centre)).cross(force);
+            }
+        }
+        for (drive, (last_force, last_place)) in self.system.drives().iter().zip(&mut self.driven) {
+            let (force, place) = (pull(drive.node, self.force[drive.node]), at(drive.node));
+            self.sums.drive_work += 0.5 * (*last_force + force).dot(place - *last_place);
+            (*last_force, *last_place) = (force, place);
+        }
+        for (body, rotation) in self.system.bodies().iter().zip(self.rotations()) {
+            self.sums.turning += rotation.angular_momentum.dot(body.angular_velocity(&rotation));
+        }
+    }
+
+    /// How each body turns at the step of the last forces.
+    pub fn rotations(&self) -> Vec<Rotation> {
+        let at_step = |(turning, torque): (&Turning, &DVec3)| {
+            let Rotation { orientation, angular_momentum } = turning.half_step;
+            let momentum = |k| self.factors.at_step(angular_momentum[k], torque[k]);
+            Rotation { orientation, angular_momentum: DVec3::from_array(std::array::from_fn(momentum)) }
+        };
+        self.turning.iter().zip(&self.torque).map(at_step).collect()
+    }
+
+    /// The start: half-step angular momenta such that bodies turn as in `rotations` at the step of the last forces.
+    pub fn before_start(&mut self, rotations: &[Rotation]) {
+        for ((turning, torque), start) in self.turning.iter_mut().zip(&self.torque).zip(rotations) {
+            for k in 0..3 {
+                turning.half_step.angular_momentum[k] = self.factors.before_start(start.angular_momentum[k], torque[k]);
+            }
+        }
+    }
+
+    /// Says how what is carried moves before the first step.
+    pub fn place(&mut self, node: impl Fn(usize) -> Moving) {
+        let ties = self.system.bodies().iter().flat_map(|body| &body.ties).map(|tie| tie.node);
+        let all = ties.chain(self.system.drives().iter().map(|drive| drive.node));
+        self.carried = all.map(|carried| (carried, node(carried))).collect();
+    }
+
+    /// Turns bodies, moves driven nodes to their places at `time`, s, and returns what is carried and how it moves now.
+    /// `centre` tells how the centre of a body moves after this step.
+    pub fn carry(&mut self, time: f64, centre: impl Fn(usize) -> Moving) -> &[(usize, Moving)] {
+        let (system, dt) = (self.system, self.factors.dt);
+        let mut carried = self.carried.iter_mut().map(|(_, moving)| moving);
+        let mut next = || carried.next().expect("everything that is carried has a place");
+        for ((body, turning), torque) in system.bodies().iter().zip(&mut self.turning).zip(&self.torque) {
+            turning.turn(body, *torque, self.factors);
+            for_each_tie(body, turning, centre(body.centre), |_, moving| {
+                let tie = next();
+                *tie = Moving { v: (moving.x - tie.x) / dt, ..moving };
+            });
+        }
+        for drive in system.drives() {
+            let driven = next();
+            let x = drive.at(time);
+            let v = (x - driven.x) / dt;
+            *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
+        }
+        &self.carried
+    }
+}
+
+impl Turning {
+    /// A body that turns like this, whatever half a step before.
+    pub fn starting(rotation: Rotation) -> Turning {
+        Turning { half_step: rotation, extrapolated: rotation.angular_momentum }
+    }
+
+    /// Kick and drift of a rotation.
+    fn turn(&mut self, body: &Body, torque: DVec3, factors: StepFactors) {
+        let momentum = &mut self.half_step.angular_momentum;
+        for k in 0..3 {
+            // the third of them is the extrapolation, the second is for what has a place
+            [momentum[k], _, self.extrapolated[k]] = factors.advance(momentum[k], 0.0, torque[k]);
+        }
+        self.half_step.orientation = body.turned(&self.half_step, factors.dt);
+    }
+}
+
+/// The state at the start as a step needs it: what is held rests, ties are where their bodies are, driven nodes on their
+/// way.
+pub(super) fn started(system: &System, state: &State, dt: f64) -> State {
+    let mut state = state.clone();
+    for (velocity, _) in state.velocity.iter_mut().zip(system.held()).filter(|(_, held)| **held) {
+        *velocity = DVec3::ZERO;
+    }
+    for drive in system.drives() {
+        let first = drive.at(0.0);
+        (state.position[drive.node], state.velocity[drive.node]) = (first, (drive.at(dt) - first) / dt);
+    }
+    for (body, rotation) in system.bodies().iter().zip(&state.rotation) {
+        let (x, v) = (state.position[body.centre], state.velocity[body.centre]);
+        let centre = Moving { x, v, w: v };
+        for_each_tie(body, &Turning::starting(*rotation), centre, |tie, moving| {
+            (state.position[tie], state.velocity[tie]) = (moving.x, moving.w);
+        });
+    }
+    state
+}
+
+/// The velocities of ties at a step, m/s, (nodes,): those of their bodies.
+pub(super) fn carried_velocities(system: &System, rotation: &[Rotation], position: &[DVec3], velocity: &mut [DVec3]) {
+    for (body, rotation) in system.bodies().iter().zip(rotation) {
+        let spin = body.angular_velocity(rotation);
+        for tie in &body.ties {
+            velocity[tie.node] = velocity[body.centre] + spin.cross(position[tie.node] - position[body.centre]);
+        }
+    }
+}
+
+/// Where a body's ties are and how they move at a step, with the centre as it is then; both velocities are those of the
+/// step.
+fn for_each_tie(body: &Body, turning: &Turning, centre: Moving, mut put: impl FnMut(usize, Moving)) {
+    let orientation = turning.half_step.orientation;
+    let spin = body.angular_velocity(&Rotation { orientation, angular_momentum: turning.extrapolated });
+    for tie in &body.ties {
+        let arm = orientation * tie.arm;
+        let w = centre.w + spin.cross(arm);
+        put(tie.node, Moving { x: centre.x + arm, v: w, w });
+    }
+}
