@@ -125,11 +125,13 @@ fn rope(net: &Model, segments: usize) -> (System, State) {
         segments: (0..segments).map(|i| Segment { ends: [i, i + 1], class: 0, ..segment }).collect(),
         class_count: 1,
         environment: *net.system.environment(),
+        ..SystemParts::default()
     };
     let along = |node: usize| node as f64 / segments as f64;
     let state = State {
         position: (0..nodes).map(|node| DVec3::X * (0.25 * segment.rest_length * node as f64)).collect(),
         velocity: (0..nodes).map(|node| DVec3::new(along(node), 0.0, (node % 5) as f64) * 10.0).collect(),
+        ..State::default()
     };
     (system.build().expect("a rope is a system"), state)
 }

@@ -145,6 +145,7 @@ impl Model {
                 gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
                 mass_damping: scenario.environment.damping.si(),
             },
+            ..SystemParts::default()
         }
         .build()
         .map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
@@ -152,7 +153,8 @@ impl Model {
         let chosen = step_fraction(&system, &limit, &scenario.solve);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
-        let state = State { position: stowed.iter().map(|&x| frame * x).collect(), velocity };
+        let position = stowed.iter().map(|&x| frame * x).collect();
+        let state = State { position, velocity, ..State::default() };
         let cells = cut.cells();
         if cells.is_empty() && scenario.measure.target_diameter.is_some() {
             notes.push(
