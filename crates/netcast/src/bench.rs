@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use glam::DVec3;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System, SystemParts};
-use netcast_dynamics::time::step::{Stepper, Vectors};
+use netcast_dynamics::time::step::{LEAST_SLOTS_FOR_THREADS, Stepper, Vectors};
 use netcast_scenario::diagnostic::Source;
 use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostics, Document};
@@ -43,6 +43,14 @@ pub struct Measurement {
     pub fraction_of_limit: f64,
     /// Width of the vectors that the engine uses here.
     pub vector_bits: u32,
+}
+
+/// Whether one run of the net of so many mesh sides is shared between threads; a smaller one stays on one.
+///
+/// # Errors
+/// As [`measure`].
+pub fn is_shared(meshes: usize) -> Result<bool, Diagnostics> {
+    Ok(net(meshes)?.system.layout().slot_count() >= LEAST_SLOTS_FOR_THREADS)
 }
 
 /// Measures a square net of `meshes` by `meshes` mesh sides, two segments each, on `threads` threads: one run on all of
