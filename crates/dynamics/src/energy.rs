@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::forces::{gravity, load, mass_damping, rope_tension};
 use crate::state::State;
 use crate::system::System;
+use crate::time::elements;
 use crate::time::step::StepSums;
 
 /// The energy balance at one time, J. What is stored is computed from the state; what was lost is the
@@ -15,7 +16,7 @@ pub struct Ledger {
     pub kinetic: f64,
     /// Of that, the energy of the web: everything but the tractors.
     pub kinetic_web: f64,
-    /// Elastic energy of taut segments.
+    /// Elastic energy of taut segments, bent ropes and sheets.
     pub elastic: f64,
     /// Potential energy of weight, relative to the origin.
     pub gravity: f64,
@@ -23,6 +24,8 @@ pub struct Ledger {
     pub load: f64,
     /// Lost to damping inside ropes since the start.
     pub rope_damping: f64,
+    /// Lost to damping inside sheets since the start.
+    pub sheet_damping: f64,
     /// Lost to mass-proportional damping since the start.
     pub mass_damping: f64,
     /// Work done on what moves driven nodes since the start; negative where these have moved the net.
@@ -56,19 +59,33 @@ impl Ledger {
             let [a, b] = s.ends;
             ledger.elastic += rope_tension::elastic_energy(position[a], position[b], s.rest_length, s.stiffness);
         }
+        ledger.elastic += elements::elastic_energy(system.bends(), position)
+            + elements::elastic_energy(system.membranes(), position)
+            + elements::elastic_energy(system.hinges(), position);
         ledger
     }
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 7] {
-        let Ledger { kinetic, kinetic_web: _, elastic, gravity, load, rope_damping, mass_damping, drive } = *self;
+    pub fn channels(&self) -> [(&'static str, f64); 8] {
+        let Ledger {
+            kinetic,
+            kinetic_web: _,
+            elastic,
+            gravity,
+            load,
+            rope_damping,
+            sheet_damping,
+            mass_damping,
+            drive,
+        } = *self;
         [
             ("kinetic", kinetic),
             ("elastic", elastic),
             ("gravity", gravity),
             ("load", load),
             ("rope_damping", rope_damping),
+            ("sheet_damping", sheet_damping),
             ("mass_damping", mass_damping),
             ("drive", drive),
         ]
@@ -156,6 +173,7 @@ fn ratio(residual: f64, energy: f64) -> f64 {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Losses {
     rope: f64,
+    sheet: f64,
     mass: Integral,
     drive: f64,
 }
@@ -164,6 +182,7 @@ impl Losses {
     /// Adds the work of the forces of a step, since those of the step before.
     pub fn add_work(&mut self, sums: &StepSums) {
         self.rope += sums.rope_work;
+        self.sheet += sums.sheet_work;
         self.drive += sums.drive_work;
     }
 
@@ -175,7 +194,13 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        Ledger { rope_damping: self.rope, mass_damping: mass.value, drive: self.drive, ..Ledger::of(system, state) }
+        Ledger {
+            rope_damping: self.rope,
+            sheet_damping: self.sheet,
+            mass_damping: mass.value,
+            drive: self.drive,
+            ..Ledger::of(system, state)
+        }
     }
 }
 

@@ -4,7 +4,11 @@ use glam::DVec3;
 
 use crate::body::Body;
 use crate::drive::Drive;
+use crate::forces::bending::Bending;
+use crate::forces::element::Element;
+use crate::forces::hinge::Hinge;
 use crate::forces::load::Load;
+use crate::forces::membrane::Membrane;
 use crate::layout::Layout;
 
 /// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6).
@@ -46,6 +50,9 @@ pub struct System {
     tractor: Vec<bool>,
     segments: Vec<Segment>,
     class_count: usize,
+    bends: Vec<Bending>,
+    membranes: Vec<Membrane>,
+    hinges: Vec<Hinge>,
     loads: Vec<Load>,
     bodies: Vec<Body>,
     drives: Vec<Drive>,
@@ -66,6 +73,12 @@ pub struct SystemParts {
     pub segments: Vec<Segment>,
     /// Number of link classes.
     pub class_count: usize,
+    /// Where ropes resist bending.
+    pub bends: Vec<Bending>,
+    /// Triangles of sheets.
+    pub membranes: Vec<Membrane>,
+    /// Where sheets resist bending.
+    pub hinges: Vec<Hinge>,
     /// Constant forces.
     pub loads: Vec<Load>,
     /// Rigid bodies.
@@ -211,6 +224,9 @@ impl SystemParts {
             tractor: self.tractor,
             segments: self.segments,
             class_count: self.class_count,
+            bends: self.bends,
+            membranes: self.membranes,
+            hinges: self.hinges,
             loads: self.loads,
             bodies: self.bodies,
             drives: self.drives,
@@ -226,6 +242,14 @@ impl SystemParts {
         for (index, load) in self.loads.iter().enumerate() {
             if load.node >= nodes || !load.force.is_finite() {
                 return wrong("load", index, load.node, "does not exist, or whose force is not finite");
+            }
+        }
+        let bends = self.bends.iter().map(|bend| bend.nodes().to_vec());
+        let membranes = self.membranes.iter().map(|membrane| membrane.nodes().to_vec());
+        let hinges = self.hinges.iter().map(|hinge| hinge.nodes().to_vec());
+        for (index, element) in bends.chain(membranes).chain(hinges).enumerate() {
+            if let Some(&node) = element.iter().find(|&&node| node >= nodes) {
+                return wrong("element", index, node, "does not exist");
             }
         }
         let mut taken = vec![false; nodes];
@@ -278,6 +302,21 @@ impl System {
     /// Number of link classes.
     pub fn class_count(&self) -> usize {
         self.class_count
+    }
+
+    /// Where ropes resist bending.
+    pub fn bends(&self) -> &[Bending] {
+        &self.bends
+    }
+
+    /// Triangles of sheets.
+    pub fn membranes(&self) -> &[Membrane] {
+        &self.membranes
+    }
+
+    /// Where sheets resist bending.
+    pub fn hinges(&self) -> &[Hinge] {
+        &self.hinges
     }
 
     /// Constant forces.

@@ -2,9 +2,13 @@
 
 mod nets;
 
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use netcast_dynamics::drive::Drive;
+use netcast_dynamics::forces::bending::Bending;
+use netcast_dynamics::forces::hinge::Hinge;
 use netcast_dynamics::forces::load::Load;
+use netcast_dynamics::forces::membrane::{Fabric, Membrane};
+use netcast_dynamics::forces::tension_field::Elasticity;
 use netcast_dynamics::time::readable::Readable;
 use netcast_dynamics::time::step::{Engine, Stepper, Vectors};
 use netcast_dynamics::time::step_size::step_limit;
@@ -42,7 +46,7 @@ fn agree(net: nets::Net, steps: usize) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// A body between the last two nodes, a load on it and on a knot, and a node that is driven.
+/// A body between the last two nodes, a load on it and on a knot, a node that is driven, and elements between knots.
 fn attach(net: &mut nets::Net, driven: usize) {
     let nodes = net.parts.mass.len();
     let ties = [nodes - 1, nodes - 2];
@@ -53,6 +57,12 @@ fn attach(net: &mut nets::Net, driven: usize) {
     let inertia = DVec3::new(0.02, 0.03, 0.04);
     let centre = net.body(middle, 3.0 * DVec3::X, 0.5, inertia, (DQuat::IDENTITY, DVec3::new(5.0, -3.0, 20.0)), &ties);
     net.parts.loads = [centre, driven, 1].map(|node| Load { node, force: DVec3::new(1.0, -2.0, 0.5) }).into();
+    let flat = [DVec2::ZERO, DVec2::X, DVec2::new(0.4, 0.8), DVec2::new(0.5, -0.7)];
+    let elasticity = Elasticity::isotropic(1e6, 0.3);
+    let fabric = Fabric { elasticity, thickness: 1e-3, compresses: false, damping_time: 1e-4 };
+    net.parts.bends = vec![Bending::new([0, 1, 2], [0.3, 0.4], 1.0, 1e-4).unwrap()];
+    net.parts.membranes = vec![Membrane::new([2, 0, 1], [flat[0], flat[1], flat[2]], &fabric).unwrap()];
+    net.parts.hinges = vec![Hinge::new([0, 1, 2, centre], flat, 0.5, 1e-4).unwrap()];
     let from = net.state.position[driven];
     net.parts.drives = vec![Drive { node: driven, path: vec![(0.0, from), (0.01, from + DVec3::new(0.1, 0.2, 0.0))] }];
 }

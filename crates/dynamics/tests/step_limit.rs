@@ -4,7 +4,7 @@ mod nets;
 
 use glam::DVec3;
 use netcast_dynamics::simulate::{Schedule, StepError, simulate};
-use netcast_dynamics::time::step_size::step_limit;
+use netcast_dynamics::time::step_size::{Stiff, step_limit};
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
@@ -47,7 +47,7 @@ fn just_below_the_limit_nothing_grows_and_just_above_it_explodes() {
 fn a_stiff_segment_between_light_nodes_is_named() {
     let mut net = Net::rope(2.0, 20, nets::paper_rope(0.05));
     net.parts.segments[7].stiffness *= 4.0;
-    assert_eq!(step_limit(&net.build()).segment, Some(7));
+    assert_eq!(step_limit(&net.build()).stiffest, Some(Stiff::Segment(7)));
 }
 
 #[test]

@@ -331,7 +331,6 @@ impl Ended<'_> {
     fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
         let Ended { model, schedule, outcome, recording } = self;
         let (system, bill) = (&model.system, &model.bill);
-        let limiting = model.limit.segment.map(|segment| model.segment_label(segment));
         Summary {
             title: model.scenario.title.clone(),
             netcast: env!("CARGO_PKG_VERSION").to_owned(),
@@ -347,7 +346,7 @@ impl Ended<'_> {
             step: summary::Step {
                 dt_s: schedule.dt,
                 count: outcome.steps,
-                limited_by: limiting,
+                limited_by: model.limited_by(),
                 lifted_by: model.step_lift(),
             },
             opening: recording.opening,

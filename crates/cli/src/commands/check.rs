@@ -119,7 +119,7 @@ fn from_library(document: &Document) {
 fn cost(model: &Model) {
     let schedule = schedule(model);
     let (nodes, segments) = (model.system.mass().len(), model.system.segments().len());
-    let limit = model.limit.segment.map_or("nothing".into(), |segment| model.segment_label(segment));
+    let limit = model.limited_by().unwrap_or("nothing".into());
     let fraction = model.largest_dt() / model.limit.dt;
     let records = schedule.count / schedule.steps_per_record + 1;
     let frame = (nodes * 6 + segments) * size_of::<f64>();

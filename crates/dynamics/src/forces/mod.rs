@@ -3,14 +3,22 @@
 //! | effect | file | energy channel |
 //! |---|---|---|
 //! | tension of ropes, with their internal damping | [`rope_tension`] | elastic, rope_damping |
+//! | bending of ropes | [`bending`] | elastic, rope_damping |
+//! | sheets: stretch, wrinkles | [`membrane`] | elastic, sheet_damping |
+//! | sheets: bending | [`hinge`] | elastic, sheet_damping |
 //! | weight | [`gravity`] | gravity |
 //! | constant forces on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
+pub mod bending;
 pub mod element;
+pub mod fold;
 pub mod gravity;
+pub mod hinge;
 pub mod load;
 pub mod mass_damping;
+pub mod membrane;
 pub mod rope_tension;
+pub mod tension_field;

@@ -13,8 +13,14 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::StepFactors;
+use super::elements::Elements;
+use super::step::Team;
 use crate::body::{Body, Rotation};
+use crate::forces::bending::Bending;
+use crate::forces::element::Element;
+use crate::forces::hinge::Hinge;
 use crate::forces::load;
+use crate::forces::membrane::Membrane;
 use crate::state::State;
 use crate::system::System;
 
@@ -44,6 +50,9 @@ pub(super) struct Attached<'a> {
     factors: StepFactors,
     /// Force on each node, N, (nodes,); that of ropes is not in it.
     force: Vec<DVec3>,
+    bends: Elements<'a, Bending, 3>,
+    membranes: Elements<'a, Membrane, 3>,
+    hinges: Elements<'a, Hinge, 4>,
     turning: Vec<Turning>,
     /// Torque on each body at the last forces, N m.
     torque: Vec<DVec3>,
@@ -61,16 +70,24 @@ pub struct AttachedSums {
     pub drive_work: f64,
     /// Power lost by turning bodies to mass-proportional damping, over its factor: the sum of L . omega, J.
     pub turning: f64,
+    /// Work lost where ropes bend, J.
+    pub bending_work: f64,
+    /// Work lost inside sheets, J.
+    pub sheet_work: f64,
 }
 
 impl<'a> Attached<'a> {
     /// None where a system has nothing of the kind.
     pub fn new(system: &'a System, factors: StepFactors, turning: Vec<Turning>) -> Option<Self> {
-        let nothing = system.loads().is_empty() && system.bodies().is_empty() && system.drives().is_empty();
+        let elements = system.bends().len() + system.membranes().len() + system.hinges().len();
+        let nothing = elements + system.loads().len() + system.bodies().len() + system.drives().len() == 0;
         (!nothing).then(|| Attached {
             system,
             factors,
             force: vec![DVec3::ZERO; system.mass().len()],
+            bends: Elements::new(system.bends()),
+            membranes: Elements::new(system.membranes()),
+            hinges: Elements::new(system.hinges()),
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
             driven: vec![(DVec3::ZERO, DVec3::ZERO); system.drives().len()],
@@ -96,20 +113,33 @@ impl<'a> Attached<'a> {
 
     /// The nodes on which something beside ropes may act.
     pub fn touched(system: &System) -> impl Iterator<Item = usize> {
+        let bends = system.bends().iter().flat_map(|bend| bend.nodes());
+        let membranes = system.membranes().iter().flat_map(|membrane| membrane.nodes());
+        let hinges = system.hinges().iter().flat_map(|hinge| hinge.nodes());
         let loads = system.loads().iter().map(|load| load.node);
-        loads.chain(system.bodies().iter().map(|body| body.centre))
+        let centres = system.bodies().iter().map(|body| body.centre);
+        bends.chain(membranes).chain(hinges).chain(loads).chain(centres)
     }
 
-    /// The forces of loads and elements.
-    pub fn act(&mut self) {
-        self.force.fill(DVec3::ZERO);
-        load::add_force(self.system.loads(), &mut self.force);
+    /// The forces of loads and elements. `node` tells where a node is and how it moves.
+    pub fn act(&mut self, team: &Team, node: impl Fn(usize) -> Moving + Sync) {
+        let at = |index: usize| {
+            let Moving { x, v: _, w } = node(index);
+            (x, w)
+        };
+        let force = &mut self.force;
+        force.fill(DVec3::ZERO);
+        load::add_force(self.system.loads(), force);
+        self.sums = AttachedSums {
+            bending_work: self.bends.pull(team, at, force),
+            sheet_work: self.membranes.pull(team, at, force) + self.hinges.pull(team, at, force),
+            ..AttachedSums::default()
+        };
     }
 
     /// The force of a body's ties on it and of nodes on their drives. `pull` tells the force of ropes on a node, added
     /// to what is given; `at` tells where a node is.
     pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, at: impl Fn(usize) -> DVec3) {
-        self.sums = AttachedSums::default();
         for (body, torque) in self.system.bodies().iter().zip(&mut self.torque) {
             *torque = DVec3::ZERO;
             for tie in &body.ties {

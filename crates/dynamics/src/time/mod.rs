@@ -15,6 +15,7 @@
 
 pub mod attached;
 mod blocks;
+pub(crate) mod elements;
 pub mod readable;
 pub mod step;
 pub mod step_size;

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::StepFactors;
 use super::attached::{Attached, Moving, Turning, started};
+use super::step::Team;
 use crate::forces::rope_tension::Pull;
 use crate::forces::{gravity, rope_tension};
 use crate::state::State;
@@ -82,11 +83,12 @@ impl<'a> Readable<'a> {
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
-            attached.act();
+            attached.act(&Team::default(), |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
             let mut with_ropes = attached.force().to_vec();
             rope_tension::add_force(system, &self.pulls, &mut with_ropes);
             attached.couple(|node, _| with_ropes[node], |node| x[node]);
             force.copy_from_slice(attached.force());
+            self.rope_work += attached.sums().bending_work;
         }
         rope_tension::add_force(system, &self.pulls, &mut force);
         gravity::add_force(system.environment().gravity, system.mass(), &mut force);

@@ -54,7 +54,7 @@ impl Team {
     }
 
     /// Work over blocks. What it does to a block must not depend on the others' turn.
-    fn for_each<A: Send, B: Send>(
+    pub(super) fn for_each<A: Send, B: Send>(
         &self,
         one: &mut [A],
         other: &mut [B],
@@ -89,6 +89,8 @@ pub struct StepSums {
     pub mass_power: f64,
     /// Work done on what drives nodes since the forces before, J.
     pub drive_work: f64,
+    /// Work lost inside sheets since the forces before, J.
+    pub sheet_work: f64,
 }
 
 /// A net in motion.
@@ -252,10 +254,11 @@ impl<'a> Stepper<'a> {
         });
         let Some(attached) = &mut self.attached else { return };
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
-        attached.act();
+        let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
+        attached.act(&self.team, moving);
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
-            |node| nodes[homes[node].block].moving(homes[node].slot).x,
+            |node| moving(node).x,
         );
     }
 
@@ -271,12 +274,13 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { drive_work, turning } =
+        let AttachedSums { drive_work, turning, bending_work, sheet_work } =
             self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
-            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum(),
+            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
             mass_power: self.system.environment().mass_damping * (squares + turning),
             drive_work,
+            sheet_work,
         }
     }
 

@@ -17,6 +17,7 @@
 //! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact:
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
+use crate::forces::element::Element;
 use crate::system::System;
 
 /// A bound on the step and what sets it.
@@ -26,58 +27,106 @@ pub struct StepLimit {
     pub dt: f64,
     /// The node that sets it.
     pub node: usize,
-    /// The stiffest segment that meets there.
-    pub segment: Option<usize>,
+    /// The stiffest of what meets there.
+    pub stiffest: Option<Stiff>,
     /// The limit that this node would set without damping, s.
     pub without_damping: f64,
-    /// The limit that all nodes set where no segment of that one's class meets, s.
+    /// The limit that all nodes set where nothing of that one's kind meets, s.
     pub elsewhere: f64,
+}
+
+/// What makes a node stiff, with its index in the system.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stiff {
+    /// A segment.
+    Segment(usize),
+    /// The bending of a rope.
+    Bending(usize),
+    /// A triangle of a sheet.
+    Membrane(usize),
+    /// A hinge of a sheet.
+    Hinge(usize),
+}
+
+/// What meets at each node.
+struct Meeting {
+    /// Sums of stiffness, N/m, and damping, N s/m.
+    stiffness: Vec<f64>,
+    damping: Vec<f64>,
+    stiffest: Vec<Option<(f64, Stiff)>>,
+}
+
+impl Meeting {
+    fn add(&mut self, node: usize, stiffness: f64, damping: f64, what: Stiff) {
+        self.stiffness[node] += stiffness;
+        self.damping[node] += damping;
+        if self.stiffest[node].is_none_or(|(other, _)| stiffness > other) {
+            self.stiffest[node] = Some((stiffness, what));
+        }
+    }
+
+    fn add_element<E: Element<N>, const N: usize>(&mut self, element: &E, what: Stiff) {
+        let (stiffness, damping) = (element.stiffness(), element.damping());
+        for (k, node) in element.nodes().into_iter().enumerate() {
+            self.add(node, stiffness[k], damping[k], what);
+        }
+    }
 }
 
 /// The stability limit of `system`.
 pub fn step_limit(system: &System) -> StepLimit {
     let nodes = system.mass().len();
-    let mut stiffness = vec![0.0; nodes];
-    let mut damping = vec![0.0; nodes];
-    let mut stiffest: Vec<Option<usize>> = vec![None; nodes];
+    let mut at = Meeting { stiffness: vec![0.0; nodes], damping: vec![0.0; nodes], stiffest: vec![None; nodes] };
     for (i, s) in system.segments().iter().enumerate() {
-        for node in s.ends {
-            stiffness[node] += s.stiffness;
-            damping[node] += s.damping;
-            if stiffest[node].is_none_or(|other| s.stiffness > system.segments()[other].stiffness) {
-                stiffest[node] = Some(i);
-            }
-        }
+        s.ends.iter().for_each(|&node| at.add(node, s.stiffness, s.damping, Stiff::Segment(i)));
     }
+    system.bends().iter().enumerate().for_each(|(i, bend)| at.add_element(bend, Stiff::Bending(i)));
+    system.membranes().iter().enumerate().for_each(|(i, membrane)| at.add_element(membrane, Stiff::Membrane(i)));
+    system.hinges().iter().enumerate().for_each(|(i, hinge)| at.add_element(hinge, Stiff::Hinge(i)));
     // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
     // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
     for body in system.bodies() {
         let gyration_squared = body.inertia.min_element() / system.mass()[body.centre].max(f64::MIN_POSITIVE);
         for tie in &body.ties {
             let lever = 1.0 + tie.arm.length_squared() / gyration_squared;
-            let pulled = stiffest[tie.node];
-            stiffness[body.centre] += lever * std::mem::take(&mut stiffness[tie.node]);
-            damping[body.centre] += lever * std::mem::take(&mut damping[tie.node]);
-            stiffest[body.centre] = stiffest[body.centre].or(pulled);
+            let (stiffness, damping) = (lever * at.stiffness[tie.node], lever * at.damping[tie.node]);
+            if let Some((_, what)) = at.stiffest[tie.node] {
+                at.add(body.centre, stiffness, damping, what);
+            }
         }
     }
     let bound = |node: usize, c: f64| {
-        let (mass, k) = (system.mass()[node], stiffness[node]);
+        let (mass, k) = (system.mass()[node], at.stiffness[node]);
         mass / (c + (c * c + 0.5 * k * mass).sqrt())
     };
-    let free: Vec<usize> = (0..nodes).filter(|&n| !system.held()[n] && stiffness[n] > 0.0).collect();
+    let is_free = |node: &usize| !system.held()[*node] && system.mass()[*node] > 0.0 && at.stiffness[*node] > 0.0;
+    let free: Vec<usize> = (0..nodes).filter(is_free).collect();
     let smallest = |one: (usize, f64), other: (usize, f64)| if other.1 < one.1 { other } else { one };
-    let least = free.iter().map(|&node| (node, bound(node, damping[node]))).reduce(smallest);
+    let least = free.iter().map(|&node| (node, bound(node, at.damping[node]))).reduce(smallest);
     let Some((node, dt)) = least else {
         let (dt, without_damping, elsewhere) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
-        return StepLimit { dt, node: 0, segment: None, without_damping, elsewhere };
+        return StepLimit { dt, node: 0, stiffest: None, without_damping, elsewhere };
     };
-    let segment = stiffest[node];
-    let class = segment.map(|s| system.segments()[s].class);
-    let mut touched = vec![false; nodes];
-    for s in system.segments().iter().filter(|s| Some(s.class) == class) {
-        s.ends.iter().for_each(|&end| touched[end] = true);
+    let stiffest = at.stiffest[node].map(|(_, what)| what);
+    let touched = touched(system, stiffest);
+    let others = free.iter().filter(|&&node| !touched[node]).map(|&node| bound(node, at.damping[node]));
+    let elsewhere = others.fold(f64::INFINITY, f64::min);
+    StepLimit { dt, node, stiffest, without_damping: bound(node, 0.0), elsewhere }
+}
+
+/// Nodes at which something of the kind of `what` meets: for a segment its class.
+fn touched(system: &System, what: Option<Stiff>) -> Vec<bool> {
+    let mut touched = vec![false; system.mass().len()];
+    let mut touch = |nodes: &[usize]| nodes.iter().for_each(|&node| touched[node] = true);
+    match what {
+        Some(Stiff::Segment(segment)) => {
+            let class = system.segments()[segment].class;
+            system.segments().iter().filter(|s| s.class == class).for_each(|s| touch(&s.ends));
+        }
+        Some(Stiff::Bending(_)) => system.bends().iter().for_each(|bend| touch(&bend.nodes())),
+        Some(Stiff::Membrane(_)) => system.membranes().iter().for_each(|membrane| touch(&membrane.nodes())),
+        Some(Stiff::Hinge(_)) => system.hinges().iter().for_each(|hinge| touch(&hinge.nodes())),
+        None => {}
     }
-    let others = free.iter().filter(|&&node| !touched[node]).map(|&node| bound(node, damping[node]));
-    StepLimit { dt, node, segment, without_damping: bound(node, 0.0), elsewhere: others.fold(f64::INFINITY, f64::min) }
+    touched
 }

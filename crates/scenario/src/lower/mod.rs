@@ -25,7 +25,7 @@ pub use stowing::node_id;
 use glam::{DMat3, DVec3};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
-use netcast_dynamics::time::step_size::{StepLimit, step_limit};
+use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
 use netcast_webs::{Audit, Bill, CutWeb};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -195,11 +195,15 @@ impl Model {
 
     /// What would allow a larger step, in words; none where nothing bounds it.
     pub fn step_lift(&self) -> Option<String> {
-        let StepLimit { dt, without_damping, elsewhere, segment, .. } = self.limit;
-        let group = &self.groups[self.system.segments()[segment?].class];
-        let what = match &group.rope {
-            Some(_) => format!("{} ropes", group.class.name()),
-            None => "canopies".to_owned(),
+        let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
+        let what = match stiffest? {
+            Stiff::Segment(segment) => {
+                let group = &self.groups[self.system.segments()[segment].class];
+                group.rope.as_ref().map_or("canopies".to_owned(), |_| format!("{} ropes", group.class.name()))
+            }
+            Stiff::Bending(_) => "bending of ropes".to_owned(),
+            Stiff::Membrane(_) => "sheets".to_owned(),
+            Stiff::Hinge(_) => "bending of sheets".to_owned(),
         };
         let times = |allowed: f64| format!("{:.1} times the step", allowed / dt);
         Some(if without_damping > NOTABLE * dt {
@@ -209,6 +213,11 @@ impl Model {
         } else {
             "longer or softer segments (solve.segment_length)".to_owned()
         })
+    }
+
+    /// What sets the step, in words; none where nothing bounds it.
+    pub fn limited_by(&self) -> Option<String> {
+        limited_by(&self.limit, &self.cut, &self.members)
     }
 
     /// What a message calls a segment, such as "segment 12 of traction rope 3".
@@ -270,11 +279,22 @@ fn affordable(
         found.push(document.diagnostic("record.every", message).with_help("record less often, or for a shorter time"));
     }
     if steps > MOST_STEPS || steps.is_nan() {
-        let what = limit.segment.map_or("the step".into(), |segment| members[segment].label(cut));
+        let what = limited_by(limit, cut, members).unwrap_or("the step".into());
         let message = format!("{steps:.3e} steps of {largest_dt:.3e} s are too many; {what} asks for such a step");
         found.push(document.diagnostic("solve.duration", message));
     }
     Diagnostics::fail_if_any(found)
+}
+
+/// What sets the step, in words.
+fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<String> {
+    let at = |what: &str| format!("{what} at {}", cut.node_label(limit.node));
+    Some(match limit.stiffest? {
+        Stiff::Segment(segment) => members[segment].label(cut),
+        Stiff::Bending(_) => at("the bending of a rope"),
+        Stiff::Membrane(_) => at("a sheet"),
+        Stiff::Hinge(_) => at("the bending of a sheet"),
+    })
 }
 
 /// Whether a name can stand in the header of a table and in a script.

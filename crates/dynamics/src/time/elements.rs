@@ -1,0 +1,64 @@
+//! Elements of one kind in motion: what they do to their nodes, and what they lose on the way.
+
+use glam::DVec3;
+
+use super::step::Team;
+use crate::forces::element::{Element, Stress};
+
+/// Below so many elements a thread spends longer waiting than working.
+const LEAST_FOR_THREADS: usize = 2_000;
+
+/// Elements of one kind.
+pub(super) struct Elements<'a, E, const N: usize> {
+    elements: &'a [E],
+    /// What each did at the last forces.
+    did: Vec<Did<N>>,
+    /// Work that each has lost since the forces before, J.
+    work: Vec<f64>,
+}
+
+/// What an element did, and where its nodes were.
+#[derive(Debug, Clone, Copy)]
+struct Did<const N: usize> {
+    place: [DVec3; N],
+    stress: Stress<N>,
+}
+
+impl<'a, E: Element<N> + Sync, const N: usize> Elements<'a, E, N> {
+    pub fn new(elements: &'a [E]) -> Self {
+        let nothing = Stress { elastic: [DVec3::ZERO; N], friction: [DVec3::ZERO; N] };
+        let did = vec![Did { place: [DVec3::ZERO; N], stress: nothing }; elements.len()];
+        Elements { elements, did, work: vec![0.0; elements.len()] }
+    }
+
+    /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their friction since the forces
+    /// before, J: force times way, by the trapezoidal rule, as for ropes. `at` tells where a node is and how it moves.
+    pub fn pull(&mut self, team: &Team, at: impl Fn(usize) -> (DVec3, DVec3) + Sync, force: &mut [DVec3]) -> f64 {
+        let elements = self.elements;
+        let alone = Team::default();
+        let team = if elements.len() < LEAST_FOR_THREADS { &alone } else { team };
+        team.for_each(&mut self.did, &mut self.work, |index, did, work| {
+            let element = &elements[index];
+            let nodes = element.nodes().map(&at);
+            let place = nodes.map(|(x, _)| x);
+            let stress = element.pull(place, nodes.map(|(_, w)| w));
+            *work = 0.0;
+            for k in 0..N {
+                let mean = 0.5 * (did.stress.friction[k] + stress.friction[k]);
+                *work -= mean.dot(place[k] - did.place[k]);
+            }
+            *did = Did { place, stress };
+        });
+        for (element, did) in elements.iter().zip(&self.did) {
+            for (k, node) in element.nodes().into_iter().enumerate() {
+                force[node] += did.stress.elastic[k] + did.stress.friction[k];
+            }
+        }
+        self.work.iter().sum()
+    }
+}
+
+/// What elements have stored, J, with nodes at `position`, m, (nodes,).
+pub(crate) fn elastic_energy<E: Element<N>, const N: usize>(elements: &[E], position: &[DVec3]) -> f64 {
+    elements.iter().map(|element| element.elastic_energy(element.nodes().map(|node| position[node]))).sum()
+}
