@@ -14,7 +14,7 @@
 
 pub mod bending;
 pub mod element;
-pub mod fold;
+mod fold;
 pub mod gravity;
 pub mod hinge;
 pub mod load;

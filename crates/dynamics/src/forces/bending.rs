@@ -1,0 +1,180 @@
+//! Bending of a rope at a node between two segments: a discrete elastic rod that is naturally straight and does not
+//! resist twist.
+//!
+//! ```text
+//! W = (EI / l) |t_2 - t_1|^2 / 2        t_i directions of the segments, l the mean of their rest lengths
+//! ```
+//!
+//! EI is the bending stiffness, N m^2; |t_2 - t_1| / l is the curvature at the node. Source: Bergou, Wardetzky,
+//! Robinson, Audoly, Grinspun, "Discrete elastic rods", ACM Transactions on Graphics 27 (2008) 63, section 4.2, with
+//! the chord for their curvature binormal, for the reasons given in `fold.rs`; second order in l either way. Valid for
+//! ropes that are thin against l and curves that are wide against l; a rope without compressive stiffness (one that
+//! goes slack) keeps the moments but shortens under them as it likes.
+//!
+//! Derivation, bound and tests: docs/theory/bending.md.
+
+use super::element::{Element, ElementError, Stress, distinct, not_negative, positive};
+use super::fold::{FLOOR, Fold};
+use glam::DVec3;
+
+/// The bend between two segments.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bending {
+    nodes: [usize; 3],
+    fold: Fold,
+    stiffness: [f64; 3],
+    damping_time: f64,
+}
+
+impl Bending {
+    /// The bend at the second of three nodes along a rope. `rest_lengths` of the segments before and after it, m;
+    /// `bending_stiffness` EI, N m^2; `damping_time` of the material, s.
+    ///
+    /// # Errors
+    /// A node that occurs twice; a property that is out of range or not a number.
+    pub fn new(
+        nodes: [usize; 3],
+        rest_lengths: [f64; 2],
+        bending_stiffness: f64,
+        damping_time: f64,
+    ) -> Result<Self, ElementError> {
+        distinct(nodes)?;
+        for length in rest_lengths {
+            positive("rest length, m,", length)?;
+        }
+        positive("bending stiffness, N m^2,", bending_stiffness)?;
+        not_negative("damping time, s,", damping_time)?;
+
+        let [before, after] = rest_lengths;
+        let angular = bending_stiffness / (0.5 * (before + after));
+        // slopes of the angle of a straight rope against its nodes, 1/m
+        let slopes = [1.0 / before, 1.0 / before + 1.0 / after, 1.0 / after];
+        let sum: f64 = slopes.iter().sum();
+        Ok(Self {
+            nodes,
+            fold: Fold::new(angular, damping_time, rest_lengths),
+            stiffness: slopes.map(|slope| SHARPEST * 0.5 * angular * slope * sum),
+            damping_time,
+        })
+    }
+}
+
+/// Largest stiffness of any shape over that of the straight rope: that of segments that have lost their length.
+const SHARPEST: f64 = 1.0 / (FLOOR * FLOOR);
+
+fn segments([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
+    [b - a, c - b]
+}
+
+fn on_nodes([first, second]: [DVec3; 2]) -> [DVec3; 3] {
+    [-first, first - second, second]
+}
+
+impl Element<3> for Bending {
+    fn nodes(&self) -> [usize; 3] {
+        self.nodes
+    }
+
+    fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> Stress<3> {
+        let (elastic, friction) = self.fold.pull(segments(position), segments(velocity));
+        Stress { elastic: on_nodes(elastic), friction: on_nodes(friction) }
+    }
+
+    fn elastic_energy(&self, position: [DVec3; 3]) -> f64 {
+        self.fold.energy(segments(position))
+    }
+
+    fn stiffness(&self) -> [f64; 3] {
+        self.stiffness
+    }
+
+    fn damping(&self) -> [f64; 3] {
+        self.stiffness.map(|k| k * self.damping_time)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::element::conformance;
+    use super::*;
+    use proptest::prelude::*;
+
+    const BENDING_STIFFNESS: f64 = 2.0;
+
+    fn point(reach: f64) -> impl Strategy<Value = DVec3> {
+        (-reach..reach, -reach..reach, -reach..reach).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    }
+
+    fn uneven() -> Bending {
+        Bending::new([4, 2, 9], [0.5, 0.7], BENDING_STIFFNESS, 0.02).unwrap()
+    }
+
+    /// A bend of two segments of 1 m, and its nodes with segments of these lengths at this angle.
+    fn even(lengths: [f64; 2], angle: f64) -> (Bending, [DVec3; 3]) {
+        let bend = Bending::new([0, 1, 2], [1.0, 1.0], BENDING_STIFFNESS, 0.02).unwrap();
+        let (sin, cos) = libm::sincos(angle);
+        (bend, [DVec3::NEG_X * lengths[0], DVec3::ZERO, lengths[1] * DVec3::new(cos, sin, 0.0)])
+    }
+
+    #[test]
+    fn a_fold_stores_k_times_one_minus_its_cosine_whatever_its_length() {
+        for angle in [0.0, 1e-3, -0.4, 1.0, 2.0, std::f64::consts::PI] {
+            let expected = 2.0 * BENDING_STIFFNESS * libm::pow(libm::sin(0.5 * angle), 2.0);
+            for lengths in [[1.0, 1.0], [0.81, 1.3]] {
+                let (bend, x) = even(lengths, angle);
+                assert!((bend.elastic_energy(x) - expected).abs() < 1e-14, "{angle}");
+            }
+        }
+    }
+
+    #[test]
+    fn forces_stay_finite_where_nodes_coincide_or_the_rope_lies_folded_back() {
+        let w = [DVec3::X, DVec3::NEG_Y, DVec3::Z];
+        let most = 10.0 * BENDING_STIFFNESS;
+        for (lengths, angle) in [([0.0, 0.0], 0.0), ([1.0, 0.0], 0.0), ([1.0, 1.0], std::f64::consts::PI)] {
+            let (bend, x) = even(lengths, angle);
+            let stress = bend.pull(x, w);
+            for force in stress.elastic.iter().chain(&stress.friction) {
+                assert!(force.is_finite() && force.length() < most);
+            }
+        }
+    }
+
+    #[test]
+    fn the_bound_is_sharp_for_the_straight_rope() {
+        let (bend, x) = even([1.0, 1.0], 0.0);
+        assert!((conformance::used_bound(&bend, x, 1e-6) * SHARPEST - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_cannot_be_a_bend_is_refused() {
+        assert!(Bending::new([0, 1, 0], [1.0, 1.0], 1.0, 0.0).is_err());
+        assert!(Bending::new([0, 1, 2], [1.0, 0.0], 1.0, 0.0).is_err());
+        assert!(Bending::new([0, 1, 2], [1.0, 1.0], f64::INFINITY, 0.0).is_err());
+        assert!(Bending::new([0, 1, 2], [1.0, 1.0], 1.0, f64::NAN).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn the_bound_holds_where_segments_fold_and_collapse(
+            first in 0.0..1.3,
+            second in 0.0..1.3,
+            angle in 0.0..3.2,
+        ) {
+            let (bend, x) = even([first, second], angle);
+            prop_assert!(conformance::used_bound(&bend, x, 1e-6) < 1.0 + 1e-6);
+            prop_assert!(conformance::used_damping_bound(&bend, x) < 1.0 + 1e-9);
+        }
+
+        #[test]
+        fn forces_are_what_they_must_be(
+            x in prop::array::uniform3(point(0.7)),
+            w in prop::array::uniform3(point(1.0)),
+        ) {
+            let bend = uneven();
+            conformance::force_is_the_gradient(&bend, x, 1e-5, 10.0 * BENDING_STIFFNESS, 1e-6);
+            conformance::forces_are_internal(&bend, x, w);
+            conformance::turns_with_its_nodes(&bend, x, w);
+        }
+    }
+}
