@@ -95,7 +95,7 @@ impl Element<3> for Bending {
 
 #[cfg(test)]
 mod tests {
-    use super::super::element::conformance;
+    use super::super::conformance;
     use super::*;
     use proptest::prelude::*;
 

@@ -1,36 +1,35 @@
-//! What every element of a sheet or a rope's bend gives to the step: a few nodes, forces on them, bounds for the step.
+//! An element: a few nodes, and a force of its own among them. What a segment is for ropes, for everything else.
 //!
-//! An element is prepared once from its rest shape and its material and does not change. Its elastic force is the
-//! exact gradient of its energy; its friction never does positive work and does not resist rigid motion, so that
-//! both leave momentum and angular momentum alone.
+//! Bending joins three nodes, a piece of sheet three, a hinge between two of them four. An element says what it does at
+//! one instant; [`crate::time`] gathers its nodes, sums what it does to them, and counts what it loses.
 
 use glam::DVec3;
 
-/// Forces on an element's nodes at one instant, N; shape (nodes of the element,).
+/// What an element does to its nodes at one instant, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stress<const N: usize> {
-    /// What derives from the elastic energy.
+    /// The part that derives from its elastic energy.
     pub elastic: [DVec3; N],
-    /// What is lost: the part of internal damping.
+    /// The rest, whose work is lost.
     pub friction: [DVec3; N],
 }
 
-/// An element of `N` nodes.
-pub trait Element<const N: usize> {
-    /// Its nodes; positions, velocities and forces are in this order.
+/// An element between `N` nodes.
+pub trait Element<const N: usize>: Sync {
+    /// Its nodes.
     fn nodes(&self) -> [usize; N];
 
-    /// Forces on its nodes at `position`, m, moving at `velocity`, m/s.
-    fn pull(&self, position: [DVec3; N], velocity: [DVec3; N]) -> Stress<N>;
+    /// What it does to its nodes, which are at `x`, m, and move at `w`, m/s.
+    fn pull(&self, x: [DVec3; N], w: [DVec3; N]) -> Stress<N>;
 
-    /// Energy stored at `position`, J.
-    fn elastic_energy(&self, position: [DVec3; N]) -> f64;
+    /// What it has stored, J, with its nodes at `x`, m.
+    fn elastic_energy(&self, x: [DVec3; N]) -> f64;
 
-    /// k for each node, N/m, with x* H x <= sum of 2 k_i |x_i|^2 for the Hessian H of the energy at any shape in use:
-    /// what a segment's stiffness is to its two ends in [`crate::time::step_size`].
+    /// A bound on its stiffness, N/m, node by node: for any displacements u of its nodes the second derivative of its
+    /// energy along u is at most the sum of 2 k |u|^2. A segment's is its k at each end.
     fn stiffness(&self) -> [f64; N];
 
-    /// c for each node, N s/m: the same bound for the damping.
+    /// The same for its damping, N s/m.
     fn damping(&self) -> [f64; N];
 }
 
@@ -73,116 +72,5 @@ pub(super) fn distinct<const N: usize>(nodes: [usize; N]) -> Result<[usize; N], 
     match nodes.iter().enumerate().find(|&(i, node)| nodes[..i].contains(node)) {
         Some((_, &node)) => Err(ElementError::Repeated { node }),
         None => Ok(nodes),
-    }
-}
-
-/// What every element must pass, whatever it models.
-#[cfg(test)]
-pub(super) mod conformance {
-    use super::*;
-    use nalgebra::DMatrix;
-
-    fn total<const N: usize>(forces: [DVec3; N]) -> DVec3 {
-        forces.iter().copied().sum()
-    }
-
-    fn moment<const N: usize>(x: [DVec3; N], forces: [DVec3; N]) -> DVec3 {
-        x.iter().zip(forces).map(|(x, f)| x.cross(f)).sum()
-    }
-
-    fn work<const N: usize>(forces: [DVec3; N], w: [DVec3; N]) -> f64 {
-        forces.iter().zip(w).map(|(f, w)| f.dot(w)).sum()
-    }
-
-    /// Elastic forces are minus the gradient of the energy, to `tolerance` of `scale`, N; steps of `h`, m.
-    pub fn force_is_the_gradient<const N: usize>(
-        element: &impl Element<N>,
-        x: [DVec3; N],
-        h: f64,
-        scale: f64,
-        tolerance: f64,
-    ) {
-        let force = element.pull(x, [DVec3::ZERO; N]).elastic;
-        for i in 0..N {
-            for axis in 0..3 {
-                let moved = |by: f64| {
-                    let mut y = x;
-                    y[i][axis] += by;
-                    element.elastic_energy(y)
-                };
-                let slope = (8.0 * (moved(h) - moved(-h)) - (moved(2.0 * h) - moved(-2.0 * h))) / (12.0 * h);
-                let miss = (force[i][axis] + slope).abs() / scale;
-                assert!(miss < tolerance, "node {i}, axis {axis}: {} N, gradient {slope} N", force[i][axis]);
-            }
-        }
-    }
-
-    /// No net force, no net moment; friction takes energy and leaves rigid motion alone.
-    pub fn forces_are_internal<const N: usize>(element: &impl Element<N>, x: [DVec3; N], w: [DVec3; N]) {
-        let stress = element.pull(x, w);
-        for forces in [stress.elastic, stress.friction] {
-            let size: f64 = forces.iter().map(|f| f.length()).sum();
-            let reach = x.iter().map(|x| x.length()).fold(0.0, f64::max);
-            assert!(total(forces).length() <= 1e-12 * size);
-            assert!(moment(x, forces).length() <= 1e-12 * size * reach);
-        }
-        let most: f64 = stress.friction.iter().zip(w).map(|(f, w)| f.length() * w.length()).sum();
-        assert!(work(stress.friction, w) <= 1e-12 * most, "friction does {} W", work(stress.friction, w));
-
-        let (shift, spin) = (DVec3::new(3.0, -1.0, 2.0), DVec3::new(0.7, 1.9, -1.3));
-        let rigid = element.pull(x, x.map(|x| shift + spin.cross(x)));
-        let speed = w.iter().map(|w| w.length()).sum::<f64>() / shift.length();
-        let usual: f64 = stress.friction.iter().map(|f| f.length()).sum::<f64>() / speed.max(1e-300);
-        let left: f64 = rigid.friction.iter().map(|f| f.length()).sum();
-        let coefficient: f64 = element.damping().iter().sum();
-        assert!(left <= 1e-11 * (usual + coefficient * shift.length()), "{left} N against rigid motion");
-    }
-
-    /// Forces turn with the element, and its energy does not change.
-    pub fn turns_with_its_nodes<const N: usize>(element: &impl Element<N>, x: [DVec3; N], w: [DVec3; N]) {
-        let turn = glam::DQuat::from_xyzw(0.5, -0.1, 0.7, 0.5).normalize();
-        let shift = DVec3::new(4.0, 5.0, -6.0);
-        let here = element.pull(x, w);
-        let there = element.pull(x.map(|x| turn * x + shift), w.map(|w| turn * w));
-        let (e, f) = (element.elastic_energy(x), element.elastic_energy(x.map(|x| turn * x + shift)));
-        let scale: f64 = element.stiffness().iter().sum::<f64>();
-        assert!((e - f).abs() <= 1e-12 * scale, "{e} J turned into {f} J");
-        for i in 0..N {
-            let damped: f64 = element.damping().iter().sum();
-            assert!((turn * here.elastic[i]).distance(there.elastic[i]) <= 1e-12 * scale);
-            assert!((turn * here.friction[i]).distance(there.friction[i]) <= 1e-11 * damped * w[i].length().max(1.0));
-        }
-    }
-
-    /// Largest x* H x / sum of 2 k_i |x_i|^2 at `x`, H by differences of the force over `h`, m.
-    pub fn used_bound<const N: usize>(element: &impl Element<N>, x: [DVec3; N], h: f64) -> f64 {
-        let k = element.stiffness();
-        largest(k, |i, axis| {
-            let force = |by: f64| {
-                let mut y = x;
-                y[i][axis] += by;
-                element.pull(y, [DVec3::ZERO; N]).elastic
-            };
-            let (ahead, behind) = (force(h), force(-h));
-            std::array::from_fn(|j| (behind[j] - ahead[j]) / (2.0 * h))
-        })
-    }
-
-    /// The same for the damping.
-    pub fn used_damping_bound<const N: usize>(element: &impl Element<N>, x: [DVec3; N]) -> f64 {
-        largest(element.damping(), |i, axis| {
-            let mut w = [DVec3::ZERO; N];
-            w[i][axis] = 1.0;
-            element.pull(x, w).friction.map(|f| -f)
-        })
-    }
-
-    fn largest<const N: usize>(bound: [f64; N], column: impl Fn(usize, usize) -> [DVec3; N]) -> f64 {
-        let columns: Vec<[DVec3; N]> = (0..3 * N).map(|c| column(c / 3, c % 3)).collect();
-        let matrix = DMatrix::from_fn(3 * N, 3 * N, |r, c| {
-            let symmetric = 0.5 * (columns[c][r / 3][r % 3] + columns[r][c / 3][c % 3]);
-            symmetric / (2.0 * (bound[r / 3] * bound[c / 3]).sqrt())
-        });
-        matrix.symmetric_eigenvalues().max()
     }
 }

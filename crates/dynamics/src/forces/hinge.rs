@@ -117,7 +117,7 @@ impl Element<4> for Hinge {
 
 #[cfg(test)]
 mod tests {
-    use super::super::element::conformance;
+    use super::super::conformance;
     use super::*;
     use proptest::prelude::*;
 

@@ -175,7 +175,7 @@ impl Element<3> for Membrane {
 
 #[cfg(test)]
 mod tests {
-    use super::super::element::conformance;
+    use super::super::conformance;
     use super::*;
     use proptest::prelude::*;
 

@@ -13,6 +13,8 @@
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
 pub mod bending;
+#[cfg(test)]
+mod conformance;
 pub mod element;
 mod fold;
 pub mod gravity;
