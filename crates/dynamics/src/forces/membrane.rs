@@ -447,7 +447,7 @@ mod tests {
             let x = deformed(first * cos * a - second * sin * b, first * sin * a + second * cos * b);
             let used = conformance::used_bound(&m, x, 1e-7);
             let damping = conformance::used_damping_bound(&m, x);
-            prop_assert!(used < 1.0 + 1e-3 && damping < 1.0 + 1e-6, "{used} of the stiffness, {damping} of the damping");
+            prop_assert!(used < 1.0 + 1e-3 && damping < 1.0 + 1e-6, "{used}, of the damping {damping}");
         }
     }
 }

@@ -10,6 +10,14 @@
 //! | constant forces on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
+//! Elements of a few nodes ([`element`]), each prepared from its rest shape:
+//!
+//! | effect | file |
+//! |---|---|
+//! | bending of a rope from segment to segment | [`bending`] |
+//! | tension of a sheet in its plane, wrinkling or as a plate | [`membrane`], by the law of [`tension_field`] |
+//! | bending of a sheet from triangle to triangle | [`hinge`] |
+//!
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
 pub mod bending;
