@@ -103,14 +103,12 @@ fn a_dome_and_a_saddle_store_what_a_plate_of_poisson_ratio_minus_a_third_would()
     let (n, rigidity, curvature) = (8, 3.0, 1e-3);
     let sheet = hexagonal_sheet(1.0, n).unwrap();
     let covered = 1.5 * 3.0_f64.sqrt() * (1.0 - 1.0 / (3 * n) as f64);
-    // D ((1 + nu) m^2 + (1 - nu) d^2)
-    let shapes: [(fn(&DVec2) -> f64, f64); 3] = [
-        (|p| 0.5 * (p.x * p.x + p.y * p.y), 2.0 / 3.0),
-        (|p| 0.5 * (p.x * p.x - p.y * p.y), 4.0 / 3.0),
-        (|p| p.x * p.y, 4.0 / 3.0),
-    ];
-    for (height, share) in shapes {
-        let x: Vec<DVec3> = sheet.nodes.iter().map(|p| p.extend(curvature * height(p))).collect();
+    // curvatures along x and y, twist; D ((1 + nu) m^2 + (1 - nu) d^2)
+    for ([xx, yy, xy], share) in
+        [([1.0, 1.0, 0.0], 2.0 / 3.0), ([1.0, -1.0, 0.0], 4.0 / 3.0), ([0.0, 0.0, 1.0], 4.0 / 3.0)]
+    {
+        let height = |p: &DVec2| curvature * (0.5 * (xx * p.x * p.x + yy * p.y * p.y) + xy * p.x * p.y);
+        let x: Vec<DVec3> = sheet.nodes.iter().map(|p| p.extend(height(p))).collect();
         let energy: f64 =
             hinges(&sheet, rigidity).iter().map(|h| h.elastic_energy(h.nodes().map(|node| x[node]))).sum();
         let expected = share * rigidity * curvature * curvature * covered;
