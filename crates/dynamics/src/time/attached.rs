@@ -35,7 +35,7 @@ pub(super) struct Moving {
     pub w: DVec3,
 }
 
-/// How a body turns, as [`Moving`] says how a node moves.
+/// How a body turns.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Turning {
     /// Orientation at the step, and angular momentum half a step before, kg m^2/s.
