@@ -48,6 +48,7 @@
 //! # Ok::<(), netcast_dynamics::system::SystemError>(())
 //! ```
 
+pub mod air;
 pub mod body;
 pub mod drive;
 pub mod energy;

@@ -30,5 +30,6 @@ pub mod hinge;
 pub mod load;
 pub mod mass_damping;
 pub mod membrane;
+pub mod rope_drag;
 pub mod rope_tension;
 pub mod tension_field;
