@@ -21,6 +21,7 @@
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
 pub mod bending;
+pub mod body_drag;
 #[cfg(test)]
 mod conformance;
 pub mod element;
@@ -32,4 +33,5 @@ pub mod mass_damping;
 pub mod membrane;
 pub mod rope_drag;
 pub mod rope_tension;
+pub mod sheet_drag;
 pub mod tension_field;
