@@ -57,7 +57,10 @@ impl Limits {
             let hardest = largest(frame.tension.iter().copied()).map(|(segment, _)| segment);
             return Some(excess(Term::Closure, closure, self.closure, hardest));
         }
-        let sweeps = system.segments().iter().map(|s| {
+        let sweeps = system.segments().iter().zip(frame.broken).map(|(s, &broken)| {
+            if broken {
+                return 0.0;
+            }
             let [a, b] = s.ends;
             let (span, rate) = (frame.position[b] - frame.position[a], frame.velocity[b] - frame.velocity[a]);
             span.normalize_or_zero().dot(rate).abs() * dt / s.rest_length

@@ -6,6 +6,12 @@
 //! | bending of ropes | [`bending`] | elastic, rope_damping |
 //! | sheets: stretch, wrinkles | [`membrane`] | elastic, sheet_damping |
 //! | sheets: bending | [`hinge`] | elastic, sheet_damping |
+//! | other laws of tension: which there are | [`law`] | elastic, rope_damping |
+//! | a second stiffness beyond a strain | [`bilinear`] | elastic |
+//! | tension from a table, with hysteresis | [`tabulated`] | elastic, rope_hysteresis |
+//! | relaxation | [`viscoelastic`] | elastic, rope_damping |
+//! | bars that push | [`strut`] | elastic |
+//! | breaking | [`breaking`] | rupture |
 //! | weight | [`gravity`] | gravity |
 //! | constant forces on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
@@ -21,14 +27,20 @@
 //! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
 pub mod bending;
+pub mod bilinear;
+pub mod breaking;
 #[cfg(test)]
 mod conformance;
 pub mod element;
 mod fold;
 pub mod gravity;
 pub mod hinge;
+pub mod law;
 pub mod load;
 pub mod mass_damping;
 pub mod membrane;
 pub mod rope_tension;
+pub mod strut;
+pub mod tabulated;
 pub mod tension_field;
+pub mod viscoelastic;
