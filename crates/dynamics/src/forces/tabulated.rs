@@ -176,11 +176,7 @@ fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<Curve, TableErr
     // where there is no tension there is no share: that of the first row with one
     let pulls = tension.iter().position(|tension| *tension > 0.0).unwrap_or(last);
     let share: Vec<f64> = (0..=last).map(|i| back[i.max(pulls)] / tension[i.max(pulls)]).collect();
-    let falls = |i: &usize| {
-        let before = if *i > 0 { share[i - 1] } else { 0.0 };
-        // not below it, and a number
-        !(share[*i] >= before)
-    };
+    let falls = |i: &usize| share[*i].is_nan() || share[*i] < if *i > 0 { share[*i - 1] } else { 0.0 };
     match (0..=last).find(falls) {
         Some(row) => Err(TableError::Share { row: row + 1 }),
         None => Ok(Curve::new(strain.iter().map(|at| at / strain[last]).collect(), share)),
