@@ -57,8 +57,9 @@ impl Limits {
             let hardest = largest(frame.tension.iter().copied()).map(|(segment, _)| segment);
             return Some(excess(Term::Closure, closure, self.closure, hardest));
         }
-        let sweeps = system.segments().iter().zip(frame.broken).map(|(s, &broken)| {
-            if broken {
+        let sweeps = system.segments().iter().zip(frame.tension).map(|(s, tension)| {
+            // the ends of one that is gone part as they will
+            if tension.is_nan() {
                 return 0.0;
             }
             let [a, b] = s.ends;

@@ -94,10 +94,8 @@ pub struct Frame<'s> {
     pub velocity: &'s [DVec3],
     /// Rotations of rigid bodies, (bodies,).
     pub rotation: &'s [Rotation],
-    /// Tensions, N, (segments,).
+    /// Tensions, N, (segments,); NaN where a segment is gone.
     pub tension: &'s [f64],
-    /// Whether each segment is broken, or breaks now, (segments,).
-    pub broken: &'s [bool],
     /// The energy balance.
     pub ledger: Ledger,
     /// What the balance misses since the start, J.
@@ -376,7 +374,7 @@ impl Record {
     ) -> bool {
         net.state(&mut self.state);
         for (segment, tension) in self.tension.iter_mut().enumerate() {
-            *tension = net.tension(segment);
+            *tension = if net.is_gone(segment) { f64::NAN } else { net.tension(segment) };
         }
         let ropes = net.ropes();
         let ledger = losses.ledger(net.system(), &self.state, &ropes, net.dt());
@@ -389,8 +387,7 @@ impl Record {
         let State { position, velocity, rotation } = &self.state;
         let tension = &self.tension;
         let residual = ledger.residual(balance.start());
-        let broken = &ropes.broken;
-        let frame = Frame { time, step, position, velocity, rotation, tension, broken, ledger, residual };
+        let frame = Frame { time, step, position, velocity, rotation, tension, ledger, residual };
         observer.record(&frame);
         self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
         true

@@ -72,6 +72,17 @@ pub enum TableError {
     },
 }
 
+impl TableError {
+    /// The row that is wrong, from 1, where it is one.
+    pub fn row(&self) -> Option<usize> {
+        match self {
+            TableError::Order { row } | TableError::Share { row } => Some(*row),
+            TableError::Start => Some(1),
+            TableError::Shape | TableError::Slack | TableError::Turn { .. } => None,
+        }
+    }
+}
+
 impl Tabulated {
     /// A law from rows of strain and tension, N, and where there is hysteresis the tension, N, on the way back from the last
     /// row.

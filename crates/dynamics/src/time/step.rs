@@ -409,6 +409,12 @@ impl<'a> Stepper<'a> {
         self.ropes[block].tension[slot]
     }
 
+    /// Whether a segment broke before the last forces.
+    pub fn is_gone(&self, segment: usize) -> bool {
+        let Address { block, slot } = self.system.layout().segment_slots()[segment];
+        self.ropes[block].is_gone(slot)
+    }
+
     /// Largest tension of each class at the last forces, N; `largest` has shape (classes,).
     pub fn largest_tensions(&self, largest: &mut [f64]) {
         largest.fill(0.0);
