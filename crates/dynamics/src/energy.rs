@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::forces::{gravity, load, mass_damping, rope_tension};
+use crate::forces::law::{Axial, RopeState};
+use crate::forces::{gravity, load, mass_damping};
 use crate::state::State;
 use crate::system::System;
 use crate::time::elements;
@@ -16,7 +17,7 @@ pub struct Ledger {
     pub kinetic: f64,
     /// Of that, the energy of the web: everything but the tractors.
     pub kinetic_web: f64,
-    /// Elastic energy of taut segments, bent ropes and sheets.
+    /// Elastic energy of segments, bent ropes and sheets.
     pub elastic: f64,
     /// Potential energy of weight, relative to the origin.
     pub gravity: f64,
@@ -26,6 +27,10 @@ pub struct Ledger {
     pub rope_damping: f64,
     /// Lost to damping inside sheets since the start.
     pub sheet_damping: f64,
+    /// Lost to hysteresis of ropes since the start.
+    pub rope_hysteresis: f64,
+    /// Elastic energy of the segments that broke since the start, as they broke.
+    pub rupture: f64,
     /// Lost to mass-proportional damping since the start.
     pub mass_damping: f64,
     /// Work done on what moves driven nodes since the start; negative where these have moved the net.
@@ -33,8 +38,8 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// The stored energy of a state; nothing lost yet.
-    pub fn of(system: &System, state: &State) -> Ledger {
+    /// The energy that follows from a state; of what was lost that is hysteresis.
+    pub fn of(system: &System, state: &State, ropes: &RopeState) -> Ledger {
         let State { position, velocity, rotation } = state;
         let mut ledger = Ledger {
             gravity: gravity::energy(system.environment().gravity, system.mass(), position),
@@ -55,9 +60,12 @@ impl Ledger {
                 ledger.kinetic_web += energy;
             }
         }
-        for s in system.segments() {
-            let [a, b] = s.ends;
-            ledger.elastic += rope_tension::elastic_energy(position[a], position[b], s.rest_length, s.stiffness);
+        for (segment, s) in system.segments().iter().enumerate() {
+            let (law, axial, memory) = (system.law(s), Axial::from(s), ropes.memory_of(segment));
+            if !ropes.broken[segment] {
+                ledger.elastic += law.elastic_energy(s.stretch(position), &axial, &memory);
+            }
+            ledger.rope_hysteresis += law.hysteresis(&axial, &memory);
         }
         ledger.elastic += elements::elastic_energy(system.bends(), position)
             + elements::elastic_energy(system.membranes(), position)
@@ -67,7 +75,7 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 8] {
+    pub fn channels(&self) -> [(&'static str, f64); 10] {
         let Ledger {
             kinetic,
             kinetic_web: _,
@@ -76,6 +84,8 @@ impl Ledger {
             load,
             rope_damping,
             sheet_damping,
+            rope_hysteresis,
+            rupture,
             mass_damping,
             drive,
         } = *self;
@@ -86,6 +96,8 @@ impl Ledger {
             ("load", load),
             ("rope_damping", rope_damping),
             ("sheet_damping", sheet_damping),
+            ("rope_hysteresis", rope_hysteresis),
+            ("rupture", rupture),
             ("mass_damping", mass_damping),
             ("drive", drive),
         ]
@@ -174,6 +186,7 @@ fn ratio(residual: f64, energy: f64) -> f64 {
 pub(crate) struct Losses {
     rope: f64,
     sheet: f64,
+    rupture: f64,
     mass: Integral,
     drive: f64,
 }
@@ -186,21 +199,21 @@ impl Losses {
         self.drive += sums.drive_work;
     }
 
+    pub fn add_rupture(&mut self, energy: f64) {
+        self.rupture += energy;
+    }
+
     pub fn add_mass_power(&mut self, power: f64, dt: f64) {
         self.mass.add(power, dt);
     }
 
     /// The ledger of a state at which work has been added and the power of mass damping not yet.
-    pub fn ledger(&self, system: &System, state: &State, dt: f64) -> Ledger {
+    pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        Ledger {
-            rope_damping: self.rope,
-            sheet_damping: self.sheet,
-            mass_damping: mass.value,
-            drive: self.drive,
-            ..Ledger::of(system, state)
-        }
+        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, drive } = *self;
+        let now = Ledger::of(system, state, ropes);
+        Ledger { rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, ..now }
     }
 }
 

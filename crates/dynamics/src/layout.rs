@@ -199,7 +199,7 @@ mod tests {
     use super::*;
 
     fn segment(a: usize, b: usize, class: usize) -> Segment {
-        Segment { ends: [a, b], rest_length: 1.0, stiffness: 1.0, damping: 0.0, class }
+        Segment { ends: [a, b], rest_length: 1.0, stiffness: 1.0, damping: 0.0, class, breaking: Default::default() }
     }
 
     fn layout(nodes: usize, segments: &[Segment]) -> Layout {

@@ -16,18 +16,21 @@
 //!
 //! ```
 //! use glam::DVec3;
+//! use netcast_dynamics::forces::breaking::Breaking;
+//! use netcast_dynamics::forces::law::Law;
 //! use netcast_dynamics::simulate::{simulate, Frame, Live, Observer, Schedule};
 //! use netcast_dynamics::state::State;
 //! use netcast_dynamics::system::{Environment, Segment, SystemParts};
 //! use netcast_dynamics::time::step_size::step_limit;
 //!
-//! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness: 1e5, damping: 0.0, class: 0 };
+//! let (stiffness, damping, breaking) = (1e5, 0.0, Breaking::NEVER);
+//! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness, damping, class: 0, breaking };
 //! let system = SystemParts {
 //!     mass: vec![0.0, 2.0],
 //!     held: vec![true, false],
 //!     tractor: vec![false, false],
 //!     segments: vec![rope],
-//!     class_count: 1,
+//!     laws: vec![Law::Linear],
 //!     environment: Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 0.0 },
 //!     ..SystemParts::default()
 //! }

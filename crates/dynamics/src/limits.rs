@@ -57,7 +57,11 @@ impl Limits {
             let hardest = largest(frame.tension.iter().copied()).map(|(segment, _)| segment);
             return Some(excess(Term::Closure, closure, self.closure, hardest));
         }
-        let sweeps = system.segments().iter().map(|s| {
+        let sweeps = system.segments().iter().zip(frame.tension).map(|(s, tension)| {
+            // the ends of one that is gone part as they will
+            if tension.is_nan() {
+                return 0.0;
+            }
             let [a, b] = s.ends;
             let (span, rate) = (frame.position[b] - frame.position[a], frame.velocity[b] - frame.velocity[a]);
             span.normalize_or_zero().dot(rate).abs() * dt / s.rest_length

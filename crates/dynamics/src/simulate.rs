@@ -4,11 +4,12 @@ use glam::DVec3;
 
 use crate::body::Rotation;
 use crate::energy::{Balance, Ledger, Losses};
+use crate::forces::breaking::Break;
 use crate::limits::{Excess, Limits};
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
-use crate::time::step::{StepSums, Stepper};
+use crate::time::step::{Failure, StepSums, Stepper};
 
 /// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
 /// stays below 1 however far a run diverges: here, a hundred times what there was.
@@ -93,7 +94,7 @@ pub struct Frame<'s> {
     pub velocity: &'s [DVec3],
     /// Rotations of rigid bodies, (bodies,).
     pub rotation: &'s [Rotation],
-    /// Tensions, N, (segments,).
+    /// Tensions, N, (segments,); NaN where a segment is gone.
     pub tension: &'s [f64],
     /// The energy balance.
     pub ledger: Ledger,
@@ -190,6 +191,8 @@ pub struct Outcome {
     pub ledger: Ledger,
     /// The first limit that it exceeded, if it did.
     pub exceeded: Option<Excess>,
+    /// The segments that broke, in order.
+    pub breaks: Vec<Break>,
     /// Why it stopped early, if it did.
     pub stopped: Option<StepError>,
 }
@@ -206,7 +209,8 @@ pub fn simulate(
 ) -> Outcome {
     let net = Stepper::new(system, state, schedule.dt, threads);
     let record = Record::new(system);
-    let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses: Losses::default(), record };
+    let (losses, breaks) = (Losses::default(), Vec::new());
+    let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses, breaks, record };
     run.net.team().lead(|| match run.look(observer) {
         Some(outcome) => outcome,
         None => run.go_on(observer),
@@ -226,12 +230,13 @@ pub fn resume(
     observer: &mut dyn Observer,
 ) -> Outcome {
     snapshot.check(system, schedule).unwrap_or_else(|error| panic!("{error}"));
-    let Snapshot { motion, losses, balance, ledger, exceeded } = snapshot;
+    let Snapshot { motion, losses, balance, ledger, exceeded, breaks } = snapshot;
     let mut net = Stepper::resume(system, motion, schedule.dt, threads);
-    // the forces at the record; what ropes lost on the way there is in the losses
+    // the forces at the record; what ropes lost on the way there is in the losses, and what broke among the breaks
     net.forces();
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
-    let mut run = Run { net, schedule, limits: observer.limits(), step: motion.step, losses: *losses, record };
+    let (step, losses, breaks) = (motion.step, *losses, breaks.clone());
+    let mut run = Run { net, schedule, limits: observer.limits(), step, losses, breaks, record };
     run.net.team().lead(|| run.go_on(observer))
 }
 
@@ -243,6 +248,7 @@ struct Run<'a> {
     /// The step that is next.
     step: u64,
     losses: Losses,
+    breaks: Vec<Break>,
     record: Record,
 }
 
@@ -254,7 +260,7 @@ impl Run<'_> {
             self.stepped(sums, observer);
             while !self.schedule.records(self.step) {
                 let sums = self.net.step();
-                self.losses.add_work(&sums);
+                self.pulled(&sums);
                 if !sums.rope_work.is_finite() {
                     return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
                 }
@@ -270,7 +276,7 @@ impl Run<'_> {
     fn look(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
-        self.losses.add_work(&sums);
+        self.pulled(&sums);
         let measured =
             sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
         if !measured {
@@ -286,6 +292,20 @@ impl Run<'_> {
             observer.snapshot(&self.snapshot());
         }
         interrupted.then(|| self.outcome(Some(StepError::Interrupted { time })))
+    }
+
+    /// Takes the forces of a step into account.
+    fn pulled(&mut self, sums: &StepSums) {
+        self.losses.add_work(sums);
+        if sums.failing > 0 {
+            let (step, time) = (self.step, self.time());
+            let mut failing: Vec<_> = self.net.failing().collect();
+            failing.sort_by_key(|failure| failure.segment);
+            for Failure { segment, tension, energy } in failing {
+                self.losses.add_rupture(energy);
+                self.breaks.push(Break { segment, step, time, tension });
+            }
+        }
     }
 
     /// Takes a step into account.
@@ -304,10 +324,10 @@ impl Run<'_> {
 
     /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
     fn snapshot(&self) -> Snapshot {
-        let Run { net, schedule: _, limits: _, step: _, losses, record } = self;
+        let Run { net, schedule: _, limits: _, step: _, losses, breaks, record } = self;
         let Record { state: _, tension: _, ledger, balance: _, exceeded } = record;
-        let (motion, balance) = (net.motion(), record.balance());
-        Snapshot { motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded }
+        let (motion, balance, breaks) = (net.motion(), record.balance(), breaks.clone());
+        Snapshot { motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded, breaks }
     }
 
     /// Time of the step that is next, s.
@@ -317,7 +337,8 @@ impl Run<'_> {
 
     fn outcome(&self, stopped: Option<StepError>) -> Outcome {
         let (balance, ledger, exceeded) = (self.record.balance(), self.record.ledger, self.record.exceeded);
-        Outcome { steps: self.step, end_time: self.time(), balance, ledger, exceeded, stopped }
+        let breaks = self.breaks.clone();
+        Outcome { steps: self.step, end_time: self.time(), balance, ledger, exceeded, breaks, stopped }
     }
 }
 
@@ -353,9 +374,10 @@ impl Record {
     ) -> bool {
         net.state(&mut self.state);
         for (segment, tension) in self.tension.iter_mut().enumerate() {
-            *tension = net.tension(segment);
+            *tension = if net.is_gone(segment) { f64::NAN } else { net.tension(segment) };
         }
-        let ledger = losses.ledger(net.system(), &self.state, net.dt());
+        let ropes = net.ropes();
+        let ledger = losses.ledger(net.system(), &self.state, &ropes, net.dt());
         if !ledger.sum().is_finite() {
             return false;
         }

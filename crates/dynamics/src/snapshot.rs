@@ -1,7 +1,7 @@
 //! Where a run stands: all that its future depends on.
 //!
 //! A snapshot is taken at a record, after the observer has seen it and before the step goes on. Positions, half-step
-//! velocities and extrapolated velocities fix the forces, so neither forces nor tensions are kept: they are computed
+//! velocities, extrapolated velocities and what ropes remember fix the forces, so neither forces nor tensions are kept: they are computed
 //! again, to the same bits. The work that ropes lose is summed from one length to the next; it is in the losses already
 //! when the snapshot is taken, and over an unchanged length there is none to add. See docs/restart.md.
 
@@ -9,6 +9,8 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::energy::{Balance, Ledger, Losses};
+use crate::forces::breaking::Break;
+use crate::forces::law::RopeState;
 use crate::limits::Excess;
 use crate::simulate::Schedule;
 use crate::system::System;
@@ -28,6 +30,8 @@ pub struct Motion {
     pub turning: Vec<Turning>,
     /// Steps taken.
     pub step: u64,
+    /// What segments remember, and which are broken; those that break in this step are still whole.
+    pub ropes: RopeState,
 }
 
 /// A run at a record time. It goes on by [`resume`](crate::simulate::resume).
@@ -38,6 +42,7 @@ pub struct Snapshot {
     pub(crate) balance: Balance,
     pub(crate) ledger: Ledger,
     pub(crate) exceeded: Option<Excess>,
+    pub(crate) breaks: Vec<Break>,
 }
 
 /// Why a run cannot go on from a snapshot.
@@ -72,13 +77,16 @@ impl Snapshot {
     /// # Errors
     /// [`SnapshotError`] where it is a snapshot of something else.
     pub fn check(&self, system: &System, schedule: &Schedule) -> Result<(), SnapshotError> {
-        let Motion { position, half_step_velocity, extrapolated, turning, step } = &self.motion;
-        let nodes = system.mass().len();
+        let Motion { position, half_step_velocity, extrapolated, turning, step, ropes } = &self.motion;
+        let RopeState { memory, broken } = ropes;
+        let (nodes, segments) = (system.mass().len(), system.segments().len());
         let arrays = [
             ("positions of nodes", position.len(), nodes),
             ("half-step velocities of nodes", half_step_velocity.len(), nodes),
             ("extrapolated velocities of nodes", extrapolated.len(), nodes),
             ("rotations of bodies", turning.len(), system.bodies().len()),
+            ("segments", broken.len(), segments),
+            ("segments that remember", memory.len(), if system.remembers() { segments } else { 0 }),
         ];
         if let Some((what, found, expected)) = arrays.into_iter().find(|(_, found, expected)| found != expected) {
             return Err(SnapshotError::Shape { what, found, expected });

@@ -5,13 +5,16 @@ use glam::DVec3;
 use crate::body::Body;
 use crate::drive::Drive;
 use crate::forces::bending::Bending;
+use crate::forces::breaking::Breaking;
 use crate::forces::element::Element;
 use crate::forces::hinge::Hinge;
+use crate::forces::law::Law;
 use crate::forces::load::Load;
 use crate::forces::membrane::Membrane;
 use crate::layout::Layout;
 
-/// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6).
+/// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6) unless the law
+/// of its class says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// The two nodes that it joins.
@@ -24,12 +27,20 @@ pub struct Segment {
     pub damping: f64,
     /// Link class, an index below [`System::class_count`].
     pub class: usize,
+    /// What it bears at most.
+    pub breaking: Breaking,
 }
 
 impl Segment {
     /// The other end of this segment, seen from `node`.
     pub fn other_end(&self, node: usize) -> usize {
         if self.ends[0] == node { self.ends[1] } else { self.ends[0] }
+    }
+
+    /// Its stretch with all nodes at `position`, m.
+    pub fn stretch(&self, position: &[DVec3]) -> f64 {
+        let [a, b] = self.ends;
+        (position[b] - position[a]).length() - self.rest_length
     }
 }
 
@@ -49,7 +60,7 @@ pub struct System {
     held: Vec<bool>,
     tractor: Vec<bool>,
     segments: Vec<Segment>,
-    class_count: usize,
+    laws: Vec<Law>,
     bends: Vec<Bending>,
     membranes: Vec<Membrane>,
     hinges: Vec<Hinge>,
@@ -71,8 +82,8 @@ pub struct SystemParts {
     pub tractor: Vec<bool>,
     /// Segments; those of one rope in order, one after the other, so that they can be laid out as one run.
     pub segments: Vec<Segment>,
-    /// Number of link classes.
-    pub class_count: usize,
+    /// The law of each link class, (classes,).
+    pub laws: Vec<Law>,
     /// Where ropes resist bending.
     pub bends: Vec<Bending>,
     /// Triangles of sheets.
@@ -129,6 +140,16 @@ pub enum SystemError {
         /// Which segment.
         segment: usize,
         /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A parameter of a class's law is out of range.
+    #[error("the law of class {class} has a {what} of {value}")]
+    Law {
+        /// Which class.
+        class: usize,
+        /// Which parameter.
         what: &'static str,
         /// Its value.
         value: f64,
@@ -196,12 +217,24 @@ impl SystemParts {
                 ("rest length, m", s.rest_length, s.rest_length > 0.0),
                 ("stiffness, N/m", s.stiffness, s.stiffness > 0.0),
                 ("damping, N s/m", s.damping, s.damping >= 0.0),
-                ("class", s.class as f64, s.class < self.class_count),
+                ("class", s.class as f64, s.class < self.laws.len()),
             ];
             for (what, value, holds) in checks {
                 if !(holds && value.is_finite()) {
                     return Err(SystemError::Property { segment, what, value });
                 }
+            }
+            let Breaking { load, strain } = s.breaking;
+            let most = [("breaking load, N", load), ("breaking strain", strain)];
+            // infinite: it never breaks
+            if let Some((what, value)) = most.into_iter().find(|(_, value)| value.is_nan() || *value <= 0.0) {
+                return Err(SystemError::Property { segment, what, value });
+            }
+        }
+        for (class, law) in self.laws.iter().enumerate() {
+            let wrong = law.parameters().into_iter().find(|(_, value, holds)| !(*holds && value.is_finite()));
+            if let Some((what, value, _)) = wrong {
+                return Err(SystemError::Law { class, what, value });
             }
         }
         let Environment { gravity, mass_damping } = self.environment;
@@ -217,13 +250,13 @@ impl SystemParts {
             // what drives it has to do with its mass, the net has not
             self.mass[drive.node] = 0.0;
         }
-        let layout = Layout::new(nodes, &self.segments, &resting, self.class_count);
+        let layout = Layout::new(nodes, &self.segments, &resting, self.laws.len());
         Ok(System {
             mass: self.mass,
             held: self.held,
             tractor: self.tractor,
             segments: self.segments,
-            class_count: self.class_count,
+            laws: self.laws,
             bends: self.bends,
             membranes: self.membranes,
             hinges: self.hinges,
@@ -301,7 +334,22 @@ impl System {
 
     /// Number of link classes.
     pub fn class_count(&self) -> usize {
-        self.class_count
+        self.laws.len()
+    }
+
+    /// The law of each link class, (classes,).
+    pub fn laws(&self) -> &[Law] {
+        &self.laws
+    }
+
+    /// The law of a segment.
+    pub fn law(&self, segment: &Segment) -> &Law {
+        &self.laws[segment.class]
+    }
+
+    /// Whether any segment remembers more than where its nodes are.
+    pub fn remembers(&self) -> bool {
+        self.laws.iter().any(Law::remembers)
     }
 
     /// Where ropes resist bending.

@@ -65,15 +65,15 @@ fn a_step_far_beyond_the_limit_stops_the_run_and_says_where() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// At the full limit any damped net stays bounded: the bound is on the safe side whatever the shape.
+    /// At the full limit any damped net stays bounded: the bound is on the safe side whatever the shape, and the law.
     #[test]
-    fn the_limit_is_safe_for_any_net(net in nets::any_net(0.3)) {
+    fn the_limit_is_safe_for_any_net(net in prop_oneof![nets::any_net(0.3), nets::any_net_of_any_law(0.3)]) {
         let system = net.build();
         let limit = step_limit(&system).dt;
         prop_assume!(limit.is_finite());
         let outcome = simulate(&system, &net.state, &Schedule::new(500.0 * limit, 500.0 * limit, 0.999 * limit), 1, &mut Film::default());
         prop_assert!(outcome.stopped.is_none());
         let (end, start) = (outcome.ledger, outcome.balance.initial());
-        prop_assert!(end.kinetic + end.elastic < 3.0 * start, "from {start} J to {end:?}");
+        prop_assert!(end.kinetic + end.elastic <= 3.0 * start, "from {start} J to {end:?}");
     }
 }

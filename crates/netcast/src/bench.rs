@@ -8,6 +8,7 @@
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
+use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System, SystemParts};
 use netcast_dynamics::time::step::{LEAST_SLOTS_FOR_THREADS, Stepper, Vectors};
@@ -131,7 +132,7 @@ fn rope(net: &Model, segments: usize) -> (System, State) {
         held: vec![false; nodes],
         tractor: vec![false; nodes],
         segments: (0..segments).map(|i| Segment { ends: [i, i + 1], class: 0, ..segment }).collect(),
-        class_count: 1,
+        laws: vec![Law::Linear],
         environment: *net.system.environment(),
         ..SystemParts::default()
     };

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::limits::{Excess, Limits, Term};
 use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
 use netcast_report::ReportError;
@@ -352,6 +353,7 @@ impl Ended<'_> {
             opening: recording.opening,
             points: recording.points,
             tension: recording.tension,
+            breaks: outcome.breaks.iter().map(|broken| told(model, broken)).collect(),
             posture: recording.posture,
             mouth: recording.mouth,
             target: recording.target,
@@ -360,6 +362,18 @@ impl Ended<'_> {
             energy: recording.energy,
             warnings,
         }
+    }
+}
+
+/// A segment that broke, with the names of the model's parts.
+fn told(model: &Model, broken: &Break) -> summary::Break {
+    let &Break { segment, step: _, time, tension } = broken;
+    summary::Break {
+        time_s: time,
+        place: model.segment_label(segment),
+        segment,
+        class: model.groups[model.system.segments()[segment].class].class.name().to_owned(),
+        tension_n: tension,
     }
 }
 

@@ -24,6 +24,7 @@ pub fn words(summary: &Value) -> Vec<String> {
             opening,
             effective_opening,
             target,
+            broken,
             hardest_pull,
             worst_rope,
             bottom_pull,
@@ -82,6 +83,17 @@ fn hardest_pull(summary: &Value) -> Option<String> {
     Some(format!("The hardest pulled rope{rope}{colon} {}{}.", with_prefix(max, "N"), at(&tension["max_time_s"])))
 }
 
+fn broken(summary: &Value) -> Option<String> {
+    let breaks = summary["breaks"].as_array()?;
+    let first = breaks.first()?;
+    let (place, tension) = (first["where"].as_str()?, with_prefix(first["tension_n"].as_f64()?, "N"));
+    let when = at(&first["time_s"]);
+    Some(match breaks.len() {
+        1 => format!("Something breaks: {place}{when}, under {tension}."),
+        more => format!("{more} segments break, the first of them {place}{when}, under {tension}."),
+    })
+}
+
 /// The rope that comes nearest to breaking, of those whose strength is given.
 fn worst_rope(summary: &Value) -> Option<String> {
     let ropes = summary["tension"]["by_rope"].as_object()?.iter();
@@ -97,8 +109,10 @@ fn worst_rope(summary: &Value) -> Option<String> {
         Some(share) => format!("of the strength that knots leave it ({} less)", percent(share)),
         None => "of its strength".into(),
     };
+    let broke = summary["breaks"].as_array().is_some_and(|breaks| !breaks.is_empty());
     let so = match utilisation <= 1.0 {
         true => format!("a margin of {}", significant(1.0 / utilisation)),
+        false if broke => format!("a margin of {}", significant(1.0 / utilisation)),
         false => format!("it would break (margin {})", significant(1.0 / utilisation)),
     };
     Some(format!("{whose} is worst off: {} {left}{}; {so}.", percent(utilisation), class.unwrap_or_default()))

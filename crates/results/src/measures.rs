@@ -159,7 +159,8 @@ impl Measures {
             peak.add(live.tension_time, tension);
         }
         if !landmarks.bottom.is_empty() {
-            self.bottom(&landmarks.bottom, live.tension_time, live.dt, &|segment| live.net.tension(segment));
+            let tension = |segment: usize| (!live.net.is_gone(segment)).then(|| live.net.tension(segment));
+            self.bottom(&landmarks.bottom, live.tension_time, live.dt, &tension);
         }
         for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
             point.speed.add(live.velocity_time, landmark.speed(|n| live.net.half_step_velocity(n)));
@@ -184,14 +185,14 @@ impl Measures {
         }
     }
 
-    fn bottom(&mut self, segments: &[usize], time: f64, dt: f64, tension: &dyn Fn(usize) -> f64) {
-        let mut sum = 0.0;
-        for &segment in segments {
-            let tension = tension(segment);
+    /// `tension` is none where a segment is gone.
+    fn bottom(&mut self, segments: &[usize], time: f64, dt: f64, tension: &dyn Fn(usize) -> Option<f64>) {
+        let (mut sum, mut count) = (0.0, 0);
+        for tension in segments.iter().filter_map(|&segment| tension(segment)) {
             self.bottom.add(time, tension);
-            sum += tension;
+            (sum, count) = (sum + tension, count + 1);
         }
-        let mean = sum / segments.len() as f64;
+        let mean = sum / f64::from(count);
         self.bottom_integral += if mean.is_finite() { dt * mean } else { 0.0 };
     }
 

@@ -229,11 +229,11 @@ impl<'r> Recorder<'r> {
         row.into_iter().map(|cell| cell.filter(|value| value.is_finite())).collect()
     }
 
-    /// (mean, largest) tension of each class, N.
+    /// (mean, largest) tension of each class, N, of the segments that are not gone.
     fn class_tensions(&self, tension: &[f64]) -> Vec<(f64, f64)> {
         let landmarks = &self.landmarks;
         let mut sums = vec![(0.0, 0.0, 0.0); landmarks.classes.len()];
-        for (&tension, &group) in tension.iter().zip(&self.groups) {
+        for (&tension, &group) in tension.iter().zip(&self.groups).filter(|(tension, _)| !tension.is_nan()) {
             let (sum, count, max) = &mut sums[landmarks.groups[group].class];
             (*sum, *count, *max) = (*sum + tension, *count + 1.0, f64::max(*max, tension));
         }

@@ -33,6 +33,8 @@ pub struct Summary {
     pub points: BTreeMap<String, Option<PointExtremes>>,
     /// Rope tension.
     pub tension: Tension,
+    /// The segments that broke, in order.
+    pub breaks: Vec<Break>,
     /// Whether the middle trails or leads.
     pub posture: Posture,
     /// How the mouth stands.
@@ -239,6 +241,22 @@ pub struct ClassTension {
     pub margin: Option<f64>,
 }
 
+/// A segment that broke.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Break {
+    /// When, s.
+    pub time_s: f64,
+    /// Which segment, in words.
+    #[serde(rename = "where")]
+    pub place: String,
+    /// Its number in the fields.
+    pub segment: usize,
+    /// Its link class.
+    pub class: String,
+    /// Its tension then, N.
+    pub tension_n: f64,
+}
+
 /// When the middle trails the outline and when it leads.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Posture {
@@ -287,6 +305,7 @@ impl Summary {
         require_finite("opening", &self.opening)?;
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;
+        require_finite("breaks", &self.breaks)?;
         require_finite("posture", &self.posture)?;
         require_finite("mouth", &self.mouth)?;
         require_finite("target", &self.target)?;

@@ -28,7 +28,7 @@ impl RopeMeasures {
         self.kinds.len() == landmarks.ropes.len()
     }
 
-    /// The tensions of all segments at a record time, N, with the group of each.
+    /// The tensions of all segments at a record time, N, with the group of each; those that are gone have none.
     pub fn add(&mut self, landmarks: &Landmarks, tension: &[f64], groups: &[usize]) {
         for (&tension, &group) in tension.iter().zip(groups).filter(|(tension, _)| tension.is_finite()) {
             if let Some(rope) = landmarks.groups[group].rope {

@@ -1,15 +1,19 @@
-//! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`. All in
-//! SI.
+//! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`, the curves
+//! of `[rope.law.table]`. All in SI.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroU32;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use netcast_dynamics::forces::tabulated::Tabulated;
 
 use crate::csv_table::{Cells, CsvTable, MOST_FAULTS};
 use crate::diagnostic::Diagnostic;
 use crate::interval::{Any, NonNegative, Positive, Within};
 use crate::nearest::nearest;
 use crate::path::Path;
-use crate::rules::unknown_rope;
+use crate::rules::{ropes, unknown_rope};
 use crate::tree::Value;
 use crate::written::Written;
 
@@ -93,6 +97,9 @@ pub struct GraphFiles {
     pub ropes: Vec<RopeRow>,
 }
 
+/// The laws of `[rope.law.table]` by the names of their files.
+pub type RopeTables = BTreeMap<PathBuf, Arc<Tabulated>>;
+
 /// Reads the files of `[web.graph]`; none where the scenario has another web or a file cannot be read.
 pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Option<GraphFiles> {
     let nodes =
@@ -150,12 +157,45 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
 
 /// Reads the file of `[stow.file]`; none where the web is packed in another way or the file cannot be read.
 pub(crate) fn read_stow(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<StowRow>> {
-    let table = CsvTable::read(written, "stow.file.path", &["id", "x", "y", "z"], &[], found)?;
+    let mut table = CsvTable::read(written, "stow.file.path", &["id", "x", "y", "z"], &[], found)?;
     let mut ids = Ids::default();
     Some(table.rows(found, |cells| {
         let id = ids.take(cells)?;
         Some(StowRow { id, position_m: position(cells)?, line: cells.line() })
     }))
+}
+
+/// Reads the files of `[rope.law.table]`, each once however many ropes have it, by the name that the scenario gives it;
+/// those that can be read.
+pub(crate) fn read_rope_tables(written: &Written, found: &mut Vec<Diagnostic>) -> RopeTables {
+    let mut read = RopeTables::new();
+    let mut seen = BTreeSet::new();
+    for rope in ropes(written) {
+        let path = rope.key("law").key("table").key("file");
+        let Some(file) = written.tree.get(&path).and_then(|node| node.value.as_text()) else { continue };
+        if seen.insert(file) {
+            read.extend(read_rope_table(written, &path, found).map(|law| (PathBuf::from(file), Arc::new(law))));
+        }
+    }
+    read
+}
+
+fn read_rope_table(written: &Written, path: &Path, found: &mut Vec<Diagnostic>) -> Option<Tabulated> {
+    let mut table = CsvTable::read(written, &path.to_string(), &["strain", "tension"], &["unloading"], found)?;
+    let unloads = table.has("unloading");
+    let before = found.len();
+    let rows = table.rows(found, |cells| {
+        let [strain, tension] = ["strain", "tension"].map(|column| cells.number(column));
+        let unloading = if unloads { cells.number("unloading") } else { Some(0.0) };
+        Some([strain?, tension?, unloading?])
+    });
+    if found.len() > before {
+        return None;
+    }
+    let column = |index: usize| -> Vec<f64> { rows.iter().map(|row| row[index]).collect() };
+    let unloading = unloads.then(|| column(2));
+    let law = Tabulated::new(&column(0), &column(1), unloading.as_deref());
+    law.map_err(|error| found.push(table.at_row(error.row().unwrap_or(0), &error.to_string()))).ok()
 }
 
 /// The ids of the nodes, each with its line and its place in the file.

@@ -132,7 +132,7 @@ impl CsvTable {
 
     /// Reads every row with `read`, which gives none where it has reported a fault.
     pub(crate) fn rows<T>(
-        mut self,
+        &mut self,
         found: &mut Vec<Diagnostic>,
         mut read: impl FnMut(&mut Cells) -> Option<T>,
     ) -> Vec<T> {
@@ -177,6 +177,17 @@ impl CsvTable {
     /// Something wrong with the file as a whole.
     pub(crate) fn whole(&self, message: &str) -> Diagnostic {
         Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span: 0..0 }))
+    }
+
+    /// Something wrong with a row, from 1 below the header.
+    pub(crate) fn at_row(&self, row: usize, message: &str) -> Diagnostic {
+        let span = Rows::new(&self.source.text).nth(row).map_or(0..0, |row| row.span);
+        Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span }))
+    }
+
+    /// Whether the file has this column.
+    pub(crate) fn has(&self, column: &str) -> bool {
+        self.columns.iter().any(|name| name == column)
     }
 
     /// Whether no row follows the header.

@@ -32,6 +32,7 @@ pub mod path;
 pub mod quantity;
 pub mod record;
 pub mod rope;
+pub mod rope_law;
 mod rules;
 pub mod scenario;
 pub mod schema;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::interval::{Fraction, NonNegative, Positive};
 use crate::library::rope_names;
 use crate::quantity::{Density, Force, Length, Number, Pressure, Time};
+use crate::rope_law::{RopeBreaking, RopeLaw};
 
 /// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05. Density and
 /// elastic modulus are given, or the material.
@@ -30,17 +31,23 @@ pub struct Rope {
     pub elastic_modulus: Pressure<Positive>,
     /// Internal friction of the material t, s: the damper of a segment is c = E A t / rest length.
     pub damping_time: Option<Time<NonNegative>>,
-    /// Numerical damping, as a fraction of critical: c = 2 ratio sqrt(k m), with k and m of the segment. Default: 0.05
+    /// Numerical damping, as a fraction of critical: c = 2 ratio sqrt(k m), with k and m of the segment, k by the elastic
+    /// modulus. Default: 0.05
     /// where `damping_time` is not given.
     pub damping_ratio: Option<Number<NonNegative>>,
     /// Tension of the rope as the web is drawn, N.
     #[serde(default = "default_pretension")]
     pub pretension: Force<NonNegative>,
-    /// Breaking load, N: results then state the margin.
+    /// How its tension follows from its stretch.
+    #[serde(default)]
+    pub law: RopeLaw,
+    /// Breaking load, N: results then state the margin. The rope breaks only where `breaking` says so.
     pub strength: Option<Force<Positive>>,
     /// The share of its strength that knots and splices take from the rope, 0 to 1: utilisation then goes by what is
     /// left.
     pub knot_reduction: Option<Number<Fraction>>,
+    /// At what it breaks.
+    pub breaking: Option<RopeBreaking>,
 }
 
 fn default_pretension() -> Force<NonNegative> {
@@ -68,11 +75,14 @@ impl Rope {
         }
     }
 
-    /// Writes the default damping out; forgets the material, so that no other library can change the rope.
+    /// Writes the default damping and breaking load out; forgets the material, so that no other library can change the rope.
     pub(crate) fn complete(&mut self) {
         self.material = None;
         if self.damping_time.is_none() {
             self.damping_ratio.get_or_insert(DAMPING_RATIO);
+        }
+        if let Some(breaking) = &mut self.breaking {
+            breaking.load = breaking.load.or(self.strength);
         }
     }
 }

@@ -11,6 +11,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     assigned_ropes_exist(written, &mut found);
     knots_weaken_a_strength(written, &mut found);
+    what_breaks_has_a_strength(written, &mut found);
     segments_are_cut_in_one_way(written, &mut found);
     a_polygon_has_a_size(written, &mut found);
     canopies_belong_to_the_space_web(written, &mut found);
@@ -44,12 +45,29 @@ fn assigned_ropes_exist(written: &Written, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn knots_weaken_a_strength(written: &Written, found: &mut Vec<Diagnostic>) {
+/// The tables of all ropes, the default one last.
+pub(crate) fn ropes(written: &Written) -> impl Iterator<Item = Path> {
     let named = table_at(written, "ropes").into_iter().flat_map(Table::keys);
-    let ropes = named.map(|name| Path::default().key("ropes").key(name)).chain([Path::default().key("rope")]);
-    for rope in ropes {
+    named.map(|name| Path::default().key("ropes").key(name)).chain([Path::default().key("rope")])
+}
+
+fn what_breaks_has_a_strength(written: &Written, found: &mut Vec<Diagnostic>) {
+    for rope in ropes(written) {
+        let given = |path: &Path| written.tree.get(path).is_some();
+        let breaking = rope.key("breaking");
+        let said = [rope.key("strength"), breaking.key("load"), breaking.key("strain")];
+        if given(&breaking) && !said.iter().any(given) {
+            let help = format!("give `{}`, `{}` or `{}`", said[0], said[1], said[2]);
+            found.push(written.at_value(&breaking, "nothing says at what this rope breaks").with_help(help));
+        }
+    }
+}
+
+fn knots_weaken_a_strength(written: &Written, found: &mut Vec<Diagnostic>) {
+    for rope in ropes(written) {
         let given = |key: &str| written.tree.get(&rope.key(key)).is_some();
-        if given("knot_reduction") && !given("strength") {
+        let breaks_at_a_load = written.tree.get(&rope.key("breaking").key("load")).is_some();
+        if given("knot_reduction") && !given("strength") && !breaks_at_a_load {
             let message = "a reduction by knots says nothing without a strength";
             found.push(
                 written.at_key(&rope.key("knot_reduction"), message).with_help(format!("give `{rope}.strength`")),

@@ -14,6 +14,7 @@ use crate::launch::Launch;
 use crate::measure::Measure;
 use crate::record::Record;
 use crate::rope::Rope;
+use crate::rope_law::RopeLaw;
 use crate::solve::Solve;
 use crate::stow::Stow;
 use crate::tractor::{TractionRope, TractorOverride};
@@ -114,6 +115,11 @@ impl Scenario {
     /// The files that the scenario names, relative to it.
     pub fn files_mut(&mut self) -> Vec<&mut PathBuf> {
         let mut files = Vec::new();
+        let ropes = std::iter::once(&mut self.rope).chain(self.ropes.values_mut());
+        files.extend(ropes.filter_map(|rope| match &mut rope.law {
+            RopeLaw::Table(table) => Some(&mut table.file),
+            _ => None,
+        }));
         if let Web::Graph(graph) = &mut self.web {
             files.extend([&mut graph.nodes, &mut graph.ropes]);
         }

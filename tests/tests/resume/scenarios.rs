@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 15] = [
+pub const SCENARIOS: [(&str, &str); 16] = [
     (
         "space web, everything on board",
         r#"
@@ -139,13 +139,20 @@ record.every = "2 ms"
         "square net, thrown, recorded out of step",
         r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
-rope = { diameter = "3 mm", material = "steel wire rope", density = 1140, elastic_modulus = "5 GPa" }
 tractor.particle.mass = "0.3 kg"
 stow.scale.factor = 0.25
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 environment.gravity = 0
 solve.duration = "50 ms"
 record = { every = "7 ms", fields_every = "14 ms" }
+
+[rope]
+diameter = "3 mm"
+material = "steel wire rope"
+density = 1140
+elastic_modulus = "5 GPa"
+law.bilinear = { strain = 0.001, second_modulus = "1 GPa" }
+breaking = { load = "2 kN", strain = 0.2 }
 "#,
     ),
     (
@@ -179,19 +186,24 @@ record.every = "2 ms"
         "octagon by its side",
         r#"
 web.polygon = { sides = 8, side = "0.8 m", mesh = "0.3 m" }
-rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
 tractor.particle.mass = "0.3 kg"
 stow.scale.factor = 0.25
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.3 m" }
 record.every = "2 ms"
+
+[rope]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "5 GPa"
+law.viscoelastic = { instantaneous_modulus = "9 GPa", relaxation_time = "10 ms" }
 "#,
     ),
     (
         "triangle by its diameter, held",
         r#"
 web.polygon = { sides = 3, diameter = "2 m", mesh = "0.2 m" }
-rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa", pretension = "20 N" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa", pretension = "20 N", law.strut = {} }
 hold.corners = true
 solve = { duration = "20 ms", segment_length = "0.2 m" }
 record.every = "2 ms"
@@ -201,7 +213,7 @@ record.every = "2 ms"
         "spider's web round a hub",
         r#"
 web.radial = { diameter = "2 m", radials = 9, rings = 4, hub_diameter = "0.4 m", corners = 3 }
-rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", law.linear = {} }
 tractor.particle.mass = "0.3 kg"
 stow.bag.radius = "0.3 m"
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
@@ -213,7 +225,7 @@ record.every = "2 ms"
         "diamond net by its angle",
         r#"
 web.diamond = { mesh = "0.25 m", meshes_wide = 5, meshes_high = 4, angle = "70 deg" }
-rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", law.table.file = "belt.csv" }
 tractor.particle.mass = "0.3 kg"
 stow.scale.factor = 0.25
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
@@ -240,10 +252,52 @@ ropes.thick = { diameter = "5 mm", material = "LCP rope", density = 1140, elasti
 solve.duration = "12 ms"
 "#,
     ),
+    (
+        "graph with a rope of each law, and some that break",
+        r#"
+web.graph = { nodes = "moving.csv", ropes = "laws.csv" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa", strength = "60 N", breaking = {} }
+solve = { duration = "12 ms", segment_length = "0.3 m" }
+
+[ropes.linear]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "1 GPa"
+strength = "1 kN"
+knot_reduction = 0.3
+law.linear = {}
+breaking = { load = "30 N", strain = 0.1 }
+
+[ropes.bilinear]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "1 GPa"
+law.bilinear = { strain = 0.01, second_modulus = "3 GPa" }
+breaking.strain = 0.03
+
+[ropes.table]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "1 GPa"
+law.table.file = "belt.csv"
+
+[ropes.viscoelastic]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "1 GPa"
+law.viscoelastic = { instantaneous_modulus = "3 GPa", relaxation_time = "2 ms" }
+
+[ropes.strut]
+diameter = "3 mm"
+density = 1140
+elastic_modulus = "1 GPa"
+law.strut = {}
+"#,
+    ),
 ];
 
 /// The files that the graphs name: every column that such files can have.
-const FILES: [(&str, &str); 4] = [
+const FILES: [(&str, &str); 6] = [
     ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
     (
         "moving.csv",
@@ -255,6 +309,12 @@ const FILES: [(&str, &str); 4] = [
         "a,b,class,rope,rest_length,pretension,segments\na,b,outline,,,,\nb,c,outline,thick,2.1,,\nc,d,outline,,,5,\n\
          d,a,outline,,,,3\na,m,radial,,,,\nb,m,radial,,,,\nc,m,radial,,,,\nd,m,radial,,,,\n",
     ),
+    (
+        "laws.csv",
+        "a,b,rope,segments\na,b,linear,\nb,c,bilinear,\nc,d,table,\nd,a,viscoelastic,\na,m,strut,1\nb,m,table,\n\
+         c,m,,\nd,m,viscoelastic,\n",
+    ),
+    ("belt.csv", "strain,tension,unloading\n0,0,0\n0.02,200,20\n0.1,1500,1500\n"),
     ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),
 ];
 

@@ -3,6 +3,10 @@
 use std::time::{Duration, Instant};
 
 use clap::Args;
+use netcast::dynamics::forces::bilinear::Bilinear;
+use netcast::dynamics::forces::breaking::Breaking;
+use netcast::dynamics::forces::law::Law;
+use netcast::dynamics::forces::viscoelastic::Viscoelastic;
 use netcast::dynamics::time::step::Stepper;
 use netcast::scenario::library::library;
 use netcast::webs::PACKED_FILL;
@@ -37,6 +41,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     }
     notes(&model);
     bill(&model);
+    laws(&model);
     if arguments.links {
         links(&model);
     }
@@ -82,6 +87,51 @@ fn bill(model: &Model) {
         lines.push(("area of the tractors' polygon".into(), format!("{} m^2 flat", number(area, 5))));
     }
     rows(&lines);
+}
+
+/// By which law each rope pulls, and at what it breaks.
+fn laws(model: &Model) {
+    say!("Laws of ropes");
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for group in &model.groups {
+        let Some(name) = &group.rope else { continue };
+        let reduction = group.knot_reduction.unwrap_or(0.0);
+        let load = |load: f64| match reduction > 0.0 {
+            true => format!("{} N, at knots {} N", number(load, 4), number((1.0 - reduction) * load, 4)),
+            false => format!("{} N", number(load, 4)),
+        };
+        let Breaking { load: most, strain } = group.breaking;
+        let strain = Some(strain).filter(|strain| strain.is_finite());
+        let limits = [
+            Some(most).filter(|most| most.is_finite()).map(load),
+            strain.map(|strain| format!("{} % strain", number(100.0 * strain, 4))),
+        ];
+        let limits: Vec<String> = limits.into_iter().flatten().collect();
+        let breaks =
+            if limits.is_empty() { "never breaks".into() } else { format!("breaks at {}", limits.join(" or ")) };
+        let line = (name.clone(), format!("{}; {breaks}", in_words(&group.law)));
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    rows(&lines);
+}
+
+fn in_words(law: &Law) -> String {
+    let times = |ratio: f64| format!("{} times the modulus", number(ratio, 4));
+    match law {
+        Law::Linear => "linear".into(),
+        Law::Bilinear(Bilinear { strain, ratio }) => {
+            format!("bilinear, {} beyond {} % strain", times(*ratio), number(100.0 * strain, 4))
+        }
+        Law::Tabulated(law) if law.has_hysteresis() => "from a table, with hysteresis".into(),
+        Law::Tabulated(_) => "from a table".into(),
+        Law::Viscoelastic(Viscoelastic { ratio, relaxation_time }) => {
+            let ms = number(1e3 * relaxation_time, 4);
+            format!("viscoelastic, {} at once, relaxing in {ms} ms", times(1.0 + ratio))
+        }
+        Law::Strut => "a strut: pulls and pushes".into(),
+    }
 }
 
 /// What `[assign]` may name.

@@ -4,34 +4,39 @@
 //! |---|---|---|
 //! | tension of ropes, with their internal damping | [`rope_tension`] | elastic, rope_damping |
 //! | bending of ropes | [`bending`] | elastic, rope_damping |
-//! | sheets: stretch, wrinkles | [`membrane`] | elastic, sheet_damping |
+//! | sheets in their plane, wrinkling or as plates | [`membrane`], [`tension_field`] | elastic, sheet_damping |
 //! | sheets: bending | [`hinge`] | elastic, sheet_damping |
+//! | other laws of tension: which there are | [`law`] | elastic, rope_damping |
+//! | a second stiffness beyond a strain | [`bilinear`] | elastic |
+//! | tension from a table, with hysteresis | [`tabulated`] | elastic, rope_hysteresis |
+//! | relaxation | [`viscoelastic`] | elastic, rope_damping |
+//! | bars that push | [`strut`] | elastic |
+//! | breaking | [`breaking`] | rupture |
+//! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | air |
 //! | weight | [`gravity`] | gravity |
 //! | constant forces on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
-//! Elements of a few nodes ([`element`]), each prepared from its rest shape:
-//!
-//! | effect | file |
-//! |---|---|
-//! | bending of a rope from segment to segment | [`bending`] |
-//! | tension of a sheet in its plane, wrinkling or as a plate | [`membrane`], by the law of [`tension_field`] |
-//! | bending of a sheet from triangle to triangle | [`hinge`] |
-//!
-//! The ledger ([`crate::energy::Ledger`]) has a field for each channel.
+//! What joins a few nodes beside ropes is an [`element`]. The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
 pub mod bending;
+pub mod bilinear;
 pub mod body_drag;
+pub mod breaking;
 #[cfg(test)]
 mod conformance;
 pub mod element;
 mod fold;
 pub mod gravity;
 pub mod hinge;
+pub mod law;
 pub mod load;
 pub mod mass_damping;
 pub mod membrane;
 pub mod rope_drag;
 pub mod rope_tension;
 pub mod sheet_drag;
+pub mod strut;
+pub mod tabulated;
 pub mod tension_field;
+pub mod viscoelastic;

@@ -25,53 +25,95 @@
 //! which makes the work exact where d' is constant over two steps. It changes nothing as dt goes to 0, nor anywhere
 //! else. Derivation and measurement: docs/theory/slack-taut.md.
 
-use crate::system::System;
-use glam::DVec3;
-
 /// What a segment does at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
-    /// Tension, N.
+    /// Tension, N; what a strut pushes with is negative.
     pub tension: f64,
     /// Force on the segment's first node, N; its second node gets the opposite.
     pub force: [f64; 3],
     /// Length, m.
     pub length: f64,
-    /// The part of the tension that is not the spring's, N: damping, and what the lower bound of zero takes away.
+    /// The part of the tension that is not the law's own, N: damping, and what the lower bound of zero takes away.
     pub friction: f64,
+    /// Work that the law itself has lost since the forces before, J: a dashpot's.
+    pub lost: f64,
+}
+
+impl Pull {
+    /// Before there were any forces.
+    pub const NONE: Pull = Pull { tension: 0.0, force: [0.0; 3], length: 0.0, friction: 0.0, lost: 0.0 };
 }
 
 /// Keeps 1/L finite where two nodes coincide; such a segment is slack and its direction is of no account.
 const LEAST_LENGTH_SQUARED: f64 = 1e-200;
+
+/// How a segment lies and moves along itself: (10) to (12).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Along {
+    span: [f64; 3],
+    per_length: f64,
+    /// Length, m.
+    pub length: f64,
+    /// Stretch, m.
+    pub stretch: f64,
+    /// Rate of stretch, m/s.
+    pub stretch_rate: f64,
+    /// Its change of length in a step, |d'| dt, m.
+    pub swept: f64,
+}
+
+impl Along {
+    /// `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s.
+    #[inline(always)]
+    pub fn new(span: [f64; 3], rate: [f64; 3], rest_length: f64, dt: f64) -> Along {
+        let length_squared = span[0] * span[0] + span[1] * span[1] + span[2] * span[2];
+        let bounded = if length_squared > LEAST_LENGTH_SQUARED { length_squared } else { LEAST_LENGTH_SQUARED };
+        let length = bounded.sqrt();
+        let per_length = 1.0 / length;
+        let stretch = length - rest_length;
+        let stretch_rate = (span[0] * rate[0] + span[1] * rate[1] + span[2] * rate[2]) * per_length;
+        Along { span, per_length, length, stretch, stretch_rate, swept: stretch_rate.abs() * dt }
+    }
+
+    /// What a segment does whose law gives `elastic`, N, beside a damper, N s/m: it pulls where it is taut, and never
+    /// pushes.
+    #[inline(always)]
+    pub fn pulled(&self, taut: bool, elastic: f64, damping: f64) -> Pull {
+        let total = elastic + damping * self.stretch_rate;
+        let pulls = if total > 0.0 { total } else { 0.0 };
+        self.with(if taut { pulls } else { 0.0 }, elastic)
+    }
+
+    /// What a segment does that bears `tension`, N, of which `elastic` is its law's.
+    #[inline(always)]
+    pub fn with(&self, tension: f64, elastic: f64) -> Pull {
+        let along = tension * self.per_length;
+        let force = [self.span[0] * along, self.span[1] * along, self.span[2] * along];
+        Pull { tension, force, length: self.length, friction: tension - elastic, lost: 0.0 }
+    }
+}
+
+/// max(0, x), and in steps of `swept` what makes the work of a spring that begins at 0 exact. Both in m, or alike.
+#[inline(always)]
+pub(crate) fn ramp(x: f64, swept: f64) -> f64 {
+    // next to a slack-taut crossing the spring gives its mean over the step
+    let mean = 0.5 * (x + x * (x / swept));
+    let sprung = if x < swept { mean } else { x };
+    if x > 0.0 { sprung } else { 0.0 }
+}
 
 /// The law. `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s.
 ///
 /// Written without branches on purpose: the fused step runs it on several segments at a time.
 #[inline(always)]
 pub fn pull(span: [f64; 3], rate: [f64; 3], rest_length: f64, stiffness: f64, damping: f64, dt: f64) -> Pull {
-    let length_squared = span[0] * span[0] + span[1] * span[1] + span[2] * span[2];
-    let bounded = if length_squared > LEAST_LENGTH_SQUARED { length_squared } else { LEAST_LENGTH_SQUARED };
-    let length = bounded.sqrt();
-    let per_length = 1.0 / length;
-    let stretch = length - rest_length;
-    let stretch_rate = (span[0] * rate[0] + span[1] * rate[1] + span[2] * rate[2]) * per_length;
-
-    // next to a slack-taut crossing the spring gives its mean over the step
-    let swept = stretch_rate.abs() * dt;
-    let mean = 0.5 * (stretch + stretch * (stretch / swept));
-    let sprung = if stretch < swept { mean } else { stretch };
-    let elastic = if stretch > 0.0 { stiffness * sprung } else { 0.0 };
-    let total = elastic + damping * stretch_rate;
-    let pulls = if total > 0.0 { total } else { 0.0 };
-    let tension = if stretch > 0.0 { pulls } else { 0.0 };
-
-    let along = tension * per_length;
-    Pull { tension, force: [span[0] * along, span[1] * along, span[2] * along], length, friction: tension - elastic }
+    let along = Along::new(span, rate, rest_length, dt);
+    along.pulled(along.stretch > 0.0, stiffness * ramp(along.stretch, along.swept), damping)
 }
 
-/// Elastic energy of a segment with ends at `a` and `b`, J.
-pub fn elastic_energy(a: DVec3, b: DVec3, rest_length: f64, stiffness: f64) -> f64 {
-    let stretch = (b - a).length() - rest_length;
+/// Elastic energy at a stretch of so many metres, J.
+pub fn elastic_energy(stretch: f64, stiffness: f64) -> f64 {
     if stretch > 0.0 { 0.5 * stiffness * stretch * stretch } else { 0.0 }
 }
 
@@ -87,50 +129,8 @@ pub fn damping_from_ratio(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
 }
 
-/// Writes what every segment does to `pulls`, (segments,), each from its slot to the next. `dt` is the step, s.
-pub fn pull_all(system: &System, position: &[DVec3], velocity: &[DVec3], dt: f64, pulls: &mut [Pull]) {
-    for block in system.layout().blocks() {
-        for pair in block.slots.windows(2) {
-            if let Some(index) = pair[0].segment {
-                let (s, [a, b]) = (system.segments()[index], [pair[0].node, pair[1].node]);
-                let (span, rate) = (position[b] - position[a], velocity[b] - velocity[a]);
-                pulls[index] = pull(span.into(), rate.into(), s.rest_length, s.stiffness, s.damping, dt);
-            }
-        }
-    }
-}
-
-/// Adds the pull of every segment to `force`, N, (nodes,).
-///
-/// Forces on a node are summed over its slots in the layout's order; see [`crate::layout`].
-pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
-    for block in system.layout().blocks() {
-        let mut left = DVec3::ZERO;
-        for slot in &block.slots {
-            let right = slot.segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
-            force[slot.node] += right - left;
-            left = right;
-        }
-    }
-}
-
-/// Work lost in each block as its segments go from one length and friction to the next, J. Trapezoidal rule over the
-/// way itself.
-pub fn lost_work(system: &System, before: &[Pull], after: &[Pull]) -> f64 {
-    let mut sum = 0.0;
-    for block in system.layout().blocks() {
-        let mut lanes = [0.0; LANES];
-        for (i, slot) in block.slots.iter().enumerate() {
-            if let Some(index) = slot.segment {
-                lanes[i % LANES] += friction_work(before[index].length, before[index].friction, &after[index]);
-            }
-        }
-        sum += sum_lanes(lanes);
-    }
-    sum
-}
-
-/// Work of friction between an earlier length and friction, and those of `now`, J.
+/// Work of friction between an earlier length and friction, and those of `now`, J: the trapezoidal rule over the way
+/// itself.
 #[inline(always)]
 pub(crate) fn friction_work(length: f64, friction: f64, now: &Pull) -> f64 {
     0.5 * (friction + now.friction) * (now.length - length)
@@ -187,7 +187,7 @@ mod tests {
             work += 0.5 * (tension(stretch) + tension(stretch + rate * dt)) * rate * dt;
             stretch += rate * dt;
         }
-        let stored = elastic_energy(DVec3::ZERO, DVec3::Y * (1.0 + stretch), 1.0, k);
+        let stored = elastic_energy(stretch, k);
         assert!((work / stored - 1.0).abs() < 1e-9, "{work} J of work, {stored} J stored");
     }
 }

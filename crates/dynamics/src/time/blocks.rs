@@ -10,9 +10,11 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::attached::Moving;
+use super::rupture::{Failing, Strength};
+use crate::forces::law::{Axial, Law, Memory};
 use crate::forces::rope_tension::{self, LANES, sum_lanes};
 use crate::layout::{Address, BlockPlan};
-use crate::system::System;
+use crate::system::{Segment, System};
 use crate::time::StepFactors;
 
 /// One value a slot for each of x, y, z.
@@ -44,18 +46,24 @@ pub(super) struct Nodes {
 #[derive(Debug, Clone)]
 pub(super) struct Ropes {
     pub class: usize,
+    pub law: Law,
+    /// Of each slot's segment; none where the law does not remember.
+    pub memory: Vec<Memory>,
+    pub strength: Strength,
+    /// What breaks under the last tensions.
+    pub failing: Vec<Failing>,
     /// Force of the segment *before* each slot on its own first node: entry i + 1 belongs to segment i, entry 0 is
     /// zero.
-    pull: Components,
+    pub pull: Components,
     pub tension: Vec<f64>,
     /// Length and friction of each segment at the pass before.
-    length: Vec<f64>,
-    friction: Vec<f64>,
+    pub length: Vec<f64>,
+    pub friction: Vec<f64>,
     /// Scratch: one term a slot of what is summed.
-    each: Vec<f64>,
-    rest_length: Vec<f64>,
-    stiffness: Vec<f64>,
-    damping: Vec<f64>,
+    pub each: Vec<f64>,
+    pub rest_length: Vec<f64>,
+    pub stiffness: Vec<f64>,
+    pub damping: Vec<f64>,
     /// Largest tension, N.
     pub max_tension: f64,
     /// Work lost inside ropes since the pass before, J.
@@ -187,26 +195,30 @@ impl Nodes {
 impl Ropes {
     fn new(plan: &BlockPlan, system: &System) -> Ropes {
         let (filled, padded) = padding(plan);
-        let of_segments = |value: fn(&crate::system::Segment) -> f64, none: f64| {
-            let mut values = vec![none; filled];
-            for (i, slot) in plan.slots.iter().enumerate() {
-                if let Some(s) = slot.segment {
-                    values[i] = value(&system.segments()[s]);
-                }
-            }
-            values
+        let segments = plan.slots.iter().map(|slot| slot.segment.map(|segment| &system.segments()[segment]));
+        let segments: Vec<_> = segments.chain(std::iter::repeat(None)).take(filled).collect();
+        let of_segments = |value: fn(&Axial) -> f64| {
+            // between runs there is no segment: one that is never taut
+            let axial = |segment: &Option<&Segment>| segment.map_or(Axial::GONE, Axial::from);
+            segments.iter().map(|segment| value(&axial(segment))).collect()
         };
+        let strengths: Vec<_> = segments.iter().map(|s| s.map(|s| (s.rest_length, s.breaking))).collect();
+        // lone nodes are of no class
+        let law = system.laws().get(plan.class).cloned().unwrap_or_default();
         Ropes {
             class: plan.class,
+            memory: if law.remembers() { vec![Memory::default(); filled] } else { Vec::new() },
+            law,
+            strength: Strength::new(&strengths),
+            failing: Vec::new(),
             pull: zeros(padded),
             tension: vec![0.0; filled],
             length: vec![0.0; filled],
             friction: vec![0.0; filled],
             each: vec![0.0; filled],
-            // between runs there is no segment: one that is never taut
-            rest_length: of_segments(|s| s.rest_length, f64::MAX),
-            stiffness: of_segments(|s| s.stiffness, 0.0),
-            damping: of_segments(|s| s.damping, 0.0),
+            rest_length: of_segments(|axial| axial.rest_length),
+            stiffness: of_segments(|axial| axial.stiffness),
+            damping: of_segments(|axial| axial.damping),
             max_tension: 0.0,
             rope_work: 0.0,
         }
@@ -215,6 +227,16 @@ impl Ropes {
     /// The same as a vector.
     pub fn force_on(&self, slot: usize) -> DVec3 {
         self.slot_force(slot).into()
+    }
+
+    /// Tensions and pulls of all segments, `dt` being the step, s; `moved`, whether one has passed since the forces before.
+    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool) {
+        self.let_go(moved);
+        match self.law {
+            Law::Linear => vectors.pull_segments(nodes, self, dt),
+            _ => self.pull_by_law(nodes, dt, moved),
+        }
+        self.yield_to_loads();
     }
 
     /// The force of a slot's two segments on it, N.
@@ -412,7 +434,7 @@ impl Vectors {
     }
 
     /// Tensions and pulls of all segments of a block.
-    pub(super) fn pull_segments(self, nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
+    fn pull_segments(self, nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
         match self {
             Vectors::Widest => widest::pull_segments(nodes, ropes, dt),
             Vectors::Avx2 => avx2::pull_segments(nodes, ropes, dt),
@@ -459,7 +481,7 @@ passes!(avx: "x86_64+avx");
 
 /// Sum over a block, in [`LANES`] interleaved parts.
 #[inline(always)]
-fn sum(values: &[f64]) -> f64 {
+pub(super) fn sum(values: &[f64]) -> f64 {
     let mut lanes = [0.0; LANES];
     for group in values.chunks_exact(LANES) {
         for l in 0..LANES {
@@ -471,7 +493,7 @@ fn sum(values: &[f64]) -> f64 {
 
 /// Largest of a block; at least zero.
 #[inline(always)]
-fn max(values: &[f64]) -> f64 {
+pub(super) fn max(values: &[f64]) -> f64 {
     let mut lanes = [0.0; LANES];
     for group in values.chunks_exact(LANES) {
         for l in 0..LANES {

@@ -16,7 +16,9 @@
 pub mod attached;
 mod blocks;
 pub(crate) mod elements;
+mod lawful;
 pub mod readable;
+mod rupture;
 pub mod step;
 pub mod step_size;
 

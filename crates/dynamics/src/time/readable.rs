@@ -7,8 +7,9 @@ use glam::DVec3;
 use super::StepFactors;
 use super::attached::{Attached, Moving, Turning, started};
 use super::step::Team;
+use crate::forces::gravity;
+use crate::forces::law::{self, RopeState};
 use crate::forces::rope_tension::Pull;
-use crate::forces::{gravity, rope_tension};
 use crate::state::State;
 use crate::system::System;
 
@@ -28,6 +29,12 @@ pub struct Readable<'a> {
     pub rope_work: f64,
     attached: Option<Attached<'a>>,
     taken: u64,
+    /// What segments remember, and which are gone.
+    pub ropes: RopeState,
+    /// The segments that broke at the last forces; they are gone from the next on.
+    pub failing: Vec<usize>,
+    /// Whether nodes have moved since the last forces.
+    moved: bool,
 }
 
 impl<'a> Readable<'a> {
@@ -36,14 +43,18 @@ impl<'a> Readable<'a> {
         let State { position, velocity, rotation } = started(system, state, dt);
         let factors = StepFactors::new(dt, system.environment().mass_damping);
         let turning = rotation.iter().copied().map(Turning::starting).collect();
+        let ropes = RopeState::at_rest(system, &position);
         let mut net = Readable {
             system,
             factors,
             position,
             extrapolated: velocity.clone(),
             velocity,
-            pulls: vec![Pull { tension: 0.0, force: [0.0; 3], length: 0.0, friction: 0.0 }; system.segments().len()],
+            pulls: vec![Pull::NONE; system.segments().len()],
             rope_work: 0.0,
+            ropes,
+            failing: Vec::new(),
+            moved: false,
             attached: Attached::new(system, factors, turning),
             taken: 0,
         };
@@ -70,6 +81,7 @@ impl<'a> Readable<'a> {
                 (self.velocity[node][k], self.position[node][k], self.extrapolated[node][k]) = (v, x, w);
             }
         }
+        self.moved = true;
         self.taken += 1;
         self.carry();
     }
@@ -77,22 +89,39 @@ impl<'a> Readable<'a> {
     /// The sum of all effects over the mass. Mass-proportional damping is in the factors of the step.
     fn accelerations(&mut self) -> Vec<DVec3> {
         let (system, before) = (self.system, self.pulls.clone());
+        for segment in std::mem::take(&mut self.failing) {
+            self.ropes.broken[segment] = self.moved;
+        }
         let (x, w, dt) = (&self.position, &self.extrapolated, self.factors.dt);
-        rope_tension::pull_all(system, x, w, dt, &mut self.pulls);
-        self.rope_work = rope_tension::lost_work(system, &before, &self.pulls);
+        let elapsed = if self.moved { dt } else { 0.0 };
+        law::pull_all(system, x, w, dt, elapsed, &mut self.ropes, &mut self.pulls);
+        self.rope_work = law::lost_work(system, &before, &self.pulls);
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
             attached.act(&Team::default(), |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
             let mut with_ropes = attached.force().to_vec();
-            rope_tension::add_force(system, &self.pulls, &mut with_ropes);
+            law::add_force(system, &self.pulls, &mut with_ropes);
             attached.couple(|node, _| with_ropes[node], |node| x[node]);
             force.copy_from_slice(attached.force());
             self.rope_work += attached.sums().bending_work;
         }
-        rope_tension::add_force(system, &self.pulls, &mut force);
+        law::add_force(system, &self.pulls, &mut force);
+        self.moved = false;
+        self.fail();
         gravity::add_force(system.environment().gravity, system.mass(), &mut force);
         force.iter().zip(system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
+    }
+
+    /// Finds the segments that break under the tensions just computed.
+    fn fail(&mut self) {
+        for (index, (s, pull)) in self.system.segments().iter().zip(&mut self.pulls).enumerate() {
+            if !self.ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
+                self.failing.push(index);
+                // nothing takes back what its last tension does
+                pull.friction = pull.tension;
+            }
+        }
     }
 
     /// Bodies turn and take their ties along, driven nodes go on.

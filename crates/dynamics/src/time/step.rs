@@ -9,6 +9,8 @@ use super::StepFactors;
 use super::attached::{Attached, AttachedSums, Moving, Turning, carried_velocities, started};
 pub use super::blocks::Vectors;
 use super::blocks::{Nodes, Ropes, Told, blocks};
+use super::rupture::Failing;
+use crate::forces::law::RopeState;
 use crate::layout::Address;
 use crate::snapshot::Motion;
 use crate::state::State;
@@ -80,6 +82,17 @@ impl Team {
     }
 }
 
+/// A segment that breaks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Failure {
+    /// Which segment.
+    pub segment: usize,
+    /// Its tension, N, which acts for the last time.
+    pub tension: f64,
+    /// Elastic energy that it holds, J.
+    pub energy: f64,
+}
+
 /// What a step adds up over the whole net.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StepSums {
@@ -91,6 +104,8 @@ pub struct StepSums {
     pub drive_work: f64,
     /// Work lost inside sheets since the forces before, J.
     pub sheet_work: f64,
+    /// Number of segments that break in this step; [`Stepper::failing`] says which.
+    pub failing: usize,
 }
 
 /// A net in motion.
@@ -108,6 +123,8 @@ pub struct Stepper<'a> {
     slots: Vec<Vec<Address>>,
     /// Steps taken.
     taken: u64,
+    /// Whether nodes have moved since the last forces.
+    moved: bool,
     team: Team,
     vectors: Vectors,
 }
@@ -134,6 +151,7 @@ impl<'a> Stepper<'a> {
         let mut stepper = Stepper::empty(engine, system, dt, motion.turning.clone());
         stepper.taken = motion.step;
         stepper.put_all(&motion.position, &motion.half_step_velocity, &motion.extrapolated);
+        stepper.put_ropes(&motion.ropes);
         stepper
     }
 
@@ -141,7 +159,10 @@ impl<'a> Stepper<'a> {
     pub fn motion(&self) -> Motion {
         // taken apart field by field, so that what is new cannot be forgotten here
         let Stepper { system, nodes, attached, taken, .. } = self;
-        let Stepper { factors: _, gravity: _, ropes: _, told: _, slots: _, team: _, vectors: _, .. } = self;
+        let Stepper { factors: _, gravity: _, ropes: _, told: _, slots: _, moved: _, team: _, vectors: _, .. } = self;
+        // what breaks now pulls for the last time: it is told to be whole, and breaks again
+        let mut ropes = self.ropes();
+        self.failing().for_each(|failing| ropes.broken[failing.segment] = false);
         let of_each = |value: fn(&Nodes, usize) -> [f64; 3]| {
             let homes = system.layout().homes().iter();
             homes.map(|&Address { block, slot }| value(&nodes[block], slot).into()).collect()
@@ -152,7 +173,29 @@ impl<'a> Stepper<'a> {
             extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
             turning: attached.as_ref().map_or(Vec::new(), |attached| attached.turning().to_vec()),
             step: *taken,
+            ropes,
         }
+    }
+
+    /// What segments remember and which are broken, by the last forces.
+    pub fn ropes(&self) -> RopeState {
+        let segments = || self.system.layout().segment_slots().iter().map(|at| (&self.ropes[at.block], at.slot));
+        let memory = segments().map(|(ropes, slot)| ropes.memory.get(slot).copied().unwrap_or_default());
+        let mut state = RopeState {
+            memory: if self.system.remembers() { memory.collect() } else { Vec::new() },
+            broken: segments().map(|(ropes, slot)| ropes.is_gone(slot)).collect(),
+        };
+        self.failing().for_each(|failing| state.broken[failing.segment] = true);
+        state
+    }
+
+    /// The segments that break under the last tensions.
+    pub fn failing(&self) -> impl Iterator<Item = Failure> {
+        self.ropes.iter().zip(self.system.layout().blocks()).flat_map(|(ropes, plan)| {
+            let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
+            let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+            ropes.failing.iter().map(told)
+        })
     }
 
     /// A net whose nodes are nowhere yet.
@@ -172,6 +215,7 @@ impl<'a> Stepper<'a> {
             slots: if attached.is_some() { system.layout().slots_by_node() } else { Vec::new() },
             attached,
             taken: 0,
+            moved: false,
             team: if worth_it { Team::of(threads) } else { Team::default() },
             vectors,
         }
@@ -182,6 +226,7 @@ impl<'a> Stepper<'a> {
         let system = self.system;
         let State { position, velocity, rotation } = started(system, state, self.factors.dt);
         self.put_all(&position, &velocity, &velocity);
+        self.put_ropes(&RopeState::at_rest(system, &position));
         self.forces();
         for (node, &home) in system.layout().homes().iter().enumerate() {
             if !system.held()[node] && system.mass()[node] > 0.0 {
@@ -206,6 +251,19 @@ impl<'a> Stepper<'a> {
         self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
         if let Some(attached) = &mut self.attached {
             attached.place(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
+        }
+    }
+
+    /// Lets segments remember, and takes those out that are broken.
+    fn put_ropes(&mut self, state: &RopeState) {
+        for (segment, &Address { block, slot }) in self.system.layout().segment_slots().iter().enumerate() {
+            let ropes = &mut self.ropes[block];
+            if let Some(memory) = ropes.memory.get_mut(slot) {
+                *memory = state.memory_of(segment);
+            }
+            if state.broken[segment] {
+                ropes.remove(slot);
+            }
         }
     }
 
@@ -243,15 +301,17 @@ impl<'a> Stepper<'a> {
         });
         self.taken += 1;
         self.carry();
+        self.moved = true;
         self.sums()
     }
 
     fn pull(&mut self) {
-        let (dt, told, vectors) = (self.factors.dt, &self.told, self.vectors);
+        let (dt, told, vectors, moved) = (self.factors.dt, &self.told, self.vectors, self.moved);
         self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
             nodes.hear(told);
-            vectors.pull_segments(nodes, ropes, dt);
+            ropes.forces(nodes, vectors, dt, moved);
         });
+        self.moved = false;
         let Some(attached) = &mut self.attached else { return };
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
@@ -281,6 +341,7 @@ impl<'a> Stepper<'a> {
             mass_power: self.system.environment().mass_damping * (squares + turning),
             drive_work,
             sheet_work,
+            failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
         }
     }
 
@@ -346,6 +407,12 @@ impl<'a> Stepper<'a> {
     pub fn tension(&self, segment: usize) -> f64 {
         let Address { block, slot } = self.system.layout().segment_slots()[segment];
         self.ropes[block].tension[slot]
+    }
+
+    /// Whether a segment broke before the last forces.
+    pub fn is_gone(&self, segment: usize) -> bool {
+        let Address { block, slot } = self.system.layout().segment_slots()[segment];
+        self.ropes[block].is_gone(slot)
     }
 
     /// Largest tension of each class at the last forces, N; `largest` has shape (classes,).

@@ -14,6 +14,7 @@
 //! 2 dt^2 sum(k) + 8 dt sum(c) <= 4 m,    dt = m / (C + sqrt(C^2 + K m/2)),    K = sum(k), C = sum(c)
 //! ```
 //!
+//! k is the largest stiffness that the segment's law can show ([`Law::largest_stiffness`](crate::forces::law::Law)).
 //! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact:
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
@@ -78,7 +79,8 @@ pub fn step_limit(system: &System) -> StepLimit {
     let nodes = system.mass().len();
     let mut at = Meeting { stiffness: vec![0.0; nodes], damping: vec![0.0; nodes], stiffest: vec![None; nodes] };
     for (i, s) in system.segments().iter().enumerate() {
-        s.ends.iter().for_each(|&node| at.add(node, s.stiffness, s.damping, Stiff::Segment(i)));
+        let stiffness = system.law(s).largest_stiffness(&s.into());
+        s.ends.iter().for_each(|&node| at.add(node, stiffness, s.damping, Stiff::Segment(i)));
     }
     system.bends().iter().enumerate().for_each(|(i, bend)| at.add_element(bend, Stiff::Bending(i)));
     system.membranes().iter().enumerate().for_each(|(i, membrane)| at.add_element(membrane, Stiff::Membrane(i)));

@@ -1,9 +1,16 @@
 //! Nets for the tests of this crate.
 #![allow(dead_code)] // each test program uses its own part
 
+use std::sync::Arc;
+
 use glam::{DQuat, DVec3};
 use netcast_dynamics::body::{Body, Tie};
+use netcast_dynamics::forces::bilinear::Bilinear;
+use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::damping_from_ratio;
+use netcast_dynamics::forces::tabulated::Tabulated;
+use netcast_dynamics::forces::viscoelastic::Viscoelastic;
 use netcast_dynamics::simulate::{Frame, Live, Observer};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
@@ -44,8 +51,9 @@ impl Net {
     pub fn segment(&mut self, a: usize, b: usize, rest_length: f64, m: Material) {
         let (stiffness, mass) = (m.axial_stiffness / rest_length, m.mass_per_length * rest_length);
         let damping = damping_from_ratio(m.damping_ratio, stiffness, mass);
-        self.parts.segments.push(Segment { ends: [a, b], rest_length, stiffness, damping, class: 0 });
-        self.parts.class_count = 1;
+        let breaking = Breaking::NEVER;
+        self.parts.segments.push(Segment { ends: [a, b], rest_length, stiffness, damping, class: 0, breaking });
+        self.parts.laws.resize(1, Law::Linear);
         self.parts.mass[a] += 0.5 * mass;
         self.parts.mass[b] += 0.5 * mass;
     }
@@ -147,4 +155,38 @@ pub fn any_net(damping_ratio: f64) -> impl Strategy<Value = Net> {
 /// Standard gravity in a slanted direction and damping of 3 1/s.
 pub fn surroundings() -> Environment {
     Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0 }
+}
+
+/// One of every law.
+pub fn laws() -> Vec<Law> {
+    let (strain, tension, back) = ([0.0, 0.02, 0.05], [0.0, 300.0, 1500.0], [0.0, 50.0, 1500.0]);
+    let table = |unloading| Law::Tabulated(Arc::new(Tabulated::new(&strain, &tension, unloading).expect("a table")));
+    vec![
+        Law::Linear,
+        Law::Bilinear(Bilinear { strain: 0.01, ratio: 3.0 }),
+        Law::Bilinear(Bilinear { strain: 0.02, ratio: 0.1 }),
+        table(None),
+        table(Some(&back)),
+        Law::Viscoelastic(Viscoelastic { ratio: 2.0, relaxation_time: 1e-3 }),
+        Law::Strut,
+    ]
+}
+
+/// Any net whose segments follow any law, one law a rope or another from segment to segment, and break here and there.
+pub fn any_net_of_any_law(damping_ratio: f64) -> impl Strategy<Value = Net> {
+    let of_each = prop::collection::vec((0..laws().len(), any::<bool>(), 0u8..10), 120);
+    (any_net(damping_ratio), of_each).prop_map(|(mut net, of_each)| {
+        net.parts.laws = laws();
+        let mut class = 0;
+        for (segment, (law, next, strength)) in net.parts.segments.iter_mut().zip(of_each) {
+            class = if next { law } else { class };
+            segment.class = class;
+            segment.breaking = match strength {
+                0 => Breaking { load: 200.0, ..Breaking::NEVER },
+                1 => Breaking { strain: 0.03, ..Breaking::NEVER },
+                _ => Breaking::NEVER,
+            };
+        }
+        net
+    })
 }

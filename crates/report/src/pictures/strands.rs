@@ -94,17 +94,19 @@ impl Strands {
     }
 
     /// The ropes of each bin as SVG path data, slack ropes at the end, for nodes that are seen at `points`. A link that
-    /// stands for some segments has the highest tension of them.
+    /// stands for some segments has the highest tension of them, and is gone with the first of them that broke.
     pub fn paths(&self, points: &[IVec2], tensions: &[f64], scale: &TensionScale) -> [String; BINS + 1] {
         let mut pens = [const { Pen::new() }; BINS + 1];
         let mut from = 0;
         for trail in &self.trails {
             let mut here = points[trail.start];
             for link in &trail.links {
-                let segments = &self.order[from..link.until];
-                let tension = segments.iter().map(|&segment| tensions[segment]).fold(0.0, f64::max);
+                let borne = || self.order[from..link.until].iter().map(|&segment| tensions[segment]);
                 let there = points[link.to];
-                pens[scale.bin(tension).unwrap_or(BINS)].line(here, there);
+                if !borne().any(f64::is_nan) {
+                    let tension = borne().fold(0.0, f64::max);
+                    pens[scale.bin(tension).unwrap_or(BINS)].line(here, there);
+                }
                 (here, from) = (there, link.until);
             }
         }

@@ -10,7 +10,8 @@
 //!
 //! A position is a 16 bit number of steps in the cube that the run fills; what is kept is how far it lies from where
 //! its last two frames would have led it, modulo 2^16 and with the sign in the lowest bit. A tension is a place on a
-//! logarithmic scale: 0 is slack, 255 the largest of the run, 1 and less than a hundred-thousandth of it the same.
+//! logarithmic scale: 0 is slack, 254 the largest of the run, 1 and less than a hundred-thousandth of it the same; 255
+//! is a segment that is gone.
 
 use std::io::Write;
 
@@ -22,8 +23,11 @@ use serde_json::{Value, json};
 use super::thin::Drawn;
 use crate::results::Scene;
 
-/// Orders of magnitude between the codes 1 and 255 of a tension.
+/// Orders of magnitude between the codes 1 and 254 of a tension.
 const TENSION_DECADES: f64 = 5.0;
+
+/// The code of a segment that broke.
+const GONE: u8 = 255;
 
 /// The share of taut segments that the end of the linear tension scale leaves below it.
 const LINEAR_SCALE_SHARE: f64 = 0.995;
@@ -169,9 +173,11 @@ impl Tensions {
     }
 
     fn code(&self, tension: f64) -> u8 {
-        if tension > 0.0 {
+        if tension.is_nan() {
+            GONE
+        } else if tension > 0.0 {
             let decades = (tension / self.largest).log10() + TENSION_DECADES;
-            (1.0 + 254.0 * decades / TENSION_DECADES).round().clamp(1.0, 255.0) as u8
+            (1.0 + 253.0 * decades / TENSION_DECADES).round().clamp(1.0, 254.0) as u8
         } else {
             0
         }
@@ -179,7 +185,9 @@ impl Tensions {
 
     fn codes(&self, scene: &Scene, drawn: &Drawn, frame: usize) -> Vec<u8> {
         let tensions = scene.fields.tensions(frame);
-        let largest = |parts: &[usize]| parts.iter().map(|&part| tensions[part]).fold(0.0, f64::max);
+        // what stands for several is gone with the first of them
+        let larger = |one: f64, other: f64| if other > one || other.is_nan() { other } else { one };
+        let largest = |parts: &[usize]| parts.iter().map(|&part| tensions[part]).fold(0.0, larger);
         drawn.segments.iter().map(|segment| self.code(largest(&segment.parts))).collect()
     }
 }
@@ -239,8 +247,8 @@ mod tests {
     #[test]
     fn tensions_keep_their_ratios() {
         let scale = Tensions { largest: 1e5, linear_top: 1e4 };
-        assert_eq!([-3.0, 0.0, f64::NAN].map(|slack| scale.code(slack)), [0, 0, 0]);
-        assert_eq!([1e-4, 1.0, 1e5, 2e5].map(|tension| scale.code(tension)), [1, 1, 255, 255]);
+        assert_eq!([-3.0, 0.0, f64::NAN].map(|slack| scale.code(slack)), [0, 0, GONE]);
+        assert_eq!([1e-4, 1.0, 1e5, 2e5].map(|tension| scale.code(tension)), [1, 1, 254, 254]);
         assert_eq!(scale.code(10.0) - scale.code(1.0), scale.code(1e4) - scale.code(1e3));
     }
 }

@@ -50,15 +50,19 @@ vec3 position(uint node) {
   return uOrigin + uStep * mix(vec3(texelFetch(uBefore, at, 0).xyz), vec3(texelFetch(uAfter, at, 0).xyz), uBetween);
 }
 /** The tension's logarithm to base ten, over that of the run's largest; beyond uDecades below, slack. */
-float tension(ivec2 at) {
-  float code = mix(float(texelFetch(uTensionBefore, at, 0).x), float(texelFetch(uTensionAfter, at, 0).x), uBetween);
-  return code < 0.5 ? -1e3 : uDecades * (max(code, 1.0) - 255.0) / 254.0;
+float tension(uint before, uint after) {
+  // a segment that breaks keeps its tension until then
+  float code = after == 255u ? float(before) : mix(float(before), float(after), uBetween);
+  return code < 0.5 ? -1e3 : uDecades * (max(code, 1.0) - 254.0) / 253.0;
 }
 void main() {
   ivec2 at = cell(gl_VertexID / 6);
+  uint before = texelFetch(uTensionBefore, at, 0).x, after = texelFetch(uTensionAfter, at, 0).x;
+  // one that is gone is not drawn
+  if (before == 255u) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   // two nodes, link class, whether it is a member of a canopy and no rope
   uvec4 segment = texelFetch(uSegments, at, 0);
-  float width = uWidth, pull = tension(at);
+  float width = uWidth, pull = tension(before, after);
   bool member = segment.w > 0u, slack = pull < -100.0;
   if (member) { vColour = uMember; width *= 0.6; }
   else if (uMode == 2) vColour = texelFetch(uClassColours, ivec2(segment.z, 0), 0);

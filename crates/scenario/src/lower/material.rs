@@ -2,12 +2,14 @@
 
 use std::f64::consts::PI;
 
+use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
 use netcast_dynamics::system::Segment;
 use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
 use super::assignment::{rings, ropes_of_links};
-use super::{canopy_links, is_plain};
+use super::{canopy_links, is_plain, rope_law};
 use crate::canopy::Canopy;
 use crate::csv_files::RopeRow;
 use crate::diagnostic::Diagnostics;
@@ -69,6 +71,10 @@ pub struct Group {
     pub strength: Option<f64>,
     /// The share of its strength that knots take from it, where it is given.
     pub knot_reduction: Option<f64>,
+    /// By which its tension follows from its stretch.
+    pub law: Law,
+    /// What it bears at most away from knots.
+    pub breaking: Breaking,
 }
 
 /// What a body is there for.
@@ -136,7 +142,7 @@ pub fn materials(
     let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
     class_names(document, cut, rows)?;
     let kinds = ropes_of_links(document, scenario, web, rows, notes)?;
-    let groups = groups(web, &kinds);
+    let groups = groups(document, scenario, web, &kinds)?;
     let group_number = |class: &Class, rope: Option<&str>| {
         let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
         groups.iter().position(is_it).expect("every class is listed with its ropes")
@@ -149,9 +155,10 @@ pub fn materials(
     for segment in cut.segments() {
         let rope = &web.ropes[segment.rope];
         let pretension = pretension(rope.rest_length.is_some(), kinds[segment.rope].1, rows.get(segment.rope));
-        let piece = Piece::new(kinds[segment.rope].1, segment.rest_length, pretension);
-        let ends = [segment.a, segment.b];
-        let piece = piece.between(ends, group_of_rope[segment.rope], &mut mass);
+        let (kind, group, ends) = (kinds[segment.rope].1, group_of_rope[segment.rope], [segment.a, segment.b]);
+        let piece = Piece::new(kind, &groups[group].law, segment.rest_length, pretension);
+        let breaking = rope_law::breaking(kind, ends.iter().any(|&end| end < web.knots.len()));
+        let piece = Segment { breaking, ..piece.between(ends, group, &mut mass) };
         members.push(Member { segment: piece, part: Part::Rope(segment) });
     }
 
@@ -190,23 +197,32 @@ pub fn materials(
 }
 
 /// Each pair of link class and rope that the web has, in order of class.
-fn groups(web: &netcast_webs::Web, kinds: &[(&str, &Rope)]) -> Vec<Group> {
+fn groups(
+    document: &Document,
+    scenario: &Scenario,
+    web: &netcast_webs::Web,
+    kinds: &[(&str, &Rope)],
+) -> Result<Vec<Group>, Diagnostics> {
     let mut groups: Vec<Group> = Vec::new();
     for (rope, (name, kind)) in web.ropes.iter().zip(kinds) {
         if !groups.iter().any(|known| known.class == rope.class && known.rope.as_deref() == Some(name)) {
+            let law = rope_law::law(document, &rope_law::path_of(scenario, name, kind), kind)?;
             groups.push(Group {
                 class: rope.class.clone(),
                 rope: Some((*name).to_owned()),
                 strength: kind.strength.map(|strength| strength.si()),
                 knot_reduction: kind.knot_reduction.map(|share| share.si()),
+                law,
+                breaking: rope_law::breaking(kind, false),
             });
         }
     }
     if !web.canopies.is_empty() {
-        groups.push(Group { class: Class::Canopy, rope: None, strength: None, knot_reduction: None });
+        let (class, law, breaking) = (Class::Canopy, Law::Linear, Breaking::NEVER);
+        groups.push(Group { class, rope: None, strength: None, knot_reduction: None, law, breaking });
     }
     groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
-    groups
+    Ok(groups)
 }
 
 /// Payloads, sensor and tractors where they sit.
@@ -225,7 +241,7 @@ fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
 }
 
 /// Area of a rope's cross-section, m^2.
-fn section(rope: &Rope) -> f64 {
+pub(super) fn section(rope: &Rope) -> f64 {
     0.25 * PI * rope.diameter.si() * rope.diameter.si()
 }
 
@@ -260,11 +276,12 @@ struct Piece {
 }
 
 impl Piece {
-    /// A segment of rope `drawn` metres long under `pretension`, N: its rest length is shorter by the strain T/EA.
-    fn new(rope: &Rope, drawn: f64, pretension: f64) -> Piece {
+    /// A segment of rope `drawn` metres long under `pretension`, N: its rest length is shorter by the strain that its law
+    /// has there.
+    fn new(rope: &Rope, law: &Law, drawn: f64, pretension: f64) -> Piece {
         let area = section(rope);
         let axial_stiffness = rope.elastic_modulus.si() * area;
-        let rest_length = drawn / (1.0 + pretension / axial_stiffness);
+        let rest_length = drawn / (1.0 + law.strain_under(pretension, axial_stiffness));
         let mass = rope.density.si() * area * rest_length;
         let stiffness = axial_stiffness / rest_length;
         let damping = match rope.damping() {
@@ -285,7 +302,8 @@ impl Piece {
         for end in ends {
             mass[end] += 0.5 * self.mass;
         }
-        Segment { ends, rest_length: self.rest_length, stiffness: self.stiffness, damping: self.damping, class }
+        let &Piece { rest_length, stiffness, damping, .. } = self;
+        Segment { ends, rest_length, stiffness, damping, class, breaking: Breaking::NEVER }
     }
 }
 

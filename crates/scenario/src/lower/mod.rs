@@ -4,6 +4,7 @@
 //! drawing     the web's geometry, cut into segments
 //! assignment  which rope each link has
 //! material    ropes, canopies and bodies as stiffness, damping and mass
+//! rope_law    laws of tension, and when a rope breaks
 //! stowing     where the nodes lie
 //! launch      how fast they start
 //! size        whether the machine has the memory
@@ -16,6 +17,7 @@ mod canopy_links;
 mod drawing;
 mod launch;
 mod material;
+mod rope_law;
 mod size;
 mod stowing;
 
@@ -23,6 +25,8 @@ pub use material::{Group, Link, PlacedBody, Role};
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
+use netcast_dynamics::energy::Ledger;
+use netcast_dynamics::forces::law::RopeState;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
@@ -41,7 +45,7 @@ use material::Member;
 /// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
 /// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
 fn step_fraction(system: &System, limit: &StepLimit, solve: &Solve) -> f64 {
-    let least = |s: &Segment| damping_ratio(s, limit.dt);
+    let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
     let ratio = system.segments().iter().map(least).fold(f64::INFINITY, f64::min);
     let share = |asked: f64, undamped: f64, halved_at: f64| {
         let at_a_quarter = undamped / (1.0 + ratio / halved_at);
@@ -61,10 +65,10 @@ const AIM: f64 = 0.35;
 /// How much larger a step must become for it to be worth a word.
 const NOTABLE: f64 = 1.3;
 
-/// A segment's damping as a share of its own critical damping, from what it is at the stability limit `dt` of a rope
-/// of such segments: c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
-fn damping_ratio(segment: &Segment, dt: f64) -> f64 {
-    let at_limit = segment.damping / (segment.stiffness * dt);
+/// A segment's damping, N s/m, as a share of its own critical damping, from what it is at the stability limit `dt` of a
+/// rope of such segments, `stiffness` N/m: c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
+fn damping_ratio(damping: f64, stiffness: f64, dt: f64) -> f64 {
+    let at_limit = damping / (stiffness * dt);
     0.5 * at_limit / (1.0 + 4.0 * at_limit).sqrt()
 }
 
@@ -117,9 +121,7 @@ impl Model {
         let velocity = gather(launch::velocities(document, &cut, &scenario), &mut found);
         let held = gather(held(document, &cut, &scenario), &mut found);
         let audit = match (&materials, &stowed) {
-            (Some(materials), Some(stowed)) => {
-                gather(stowing::audit(document, &cut, &materials.members, stowed), &mut found)
-            }
+            (Some(materials), Some(stowed)) => gather(stowing::audit(document, &cut, materials, stowed), &mut found),
             _ => None,
         };
         let (Some(materials), Some(stowed), Some(velocity), Some(held), Some(audit)) =
@@ -139,7 +141,7 @@ impl Model {
             held,
             tractor,
             segments: materials.members.iter().map(|m| m.segment).collect(),
-            class_count: materials.groups.len(),
+            laws: materials.groups.iter().map(|group| group.law.clone()).collect(),
             environment: Environment {
                 // 0 - g, for the sign of a zero
                 gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
@@ -155,6 +157,9 @@ impl Model {
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
         let position = stowed.iter().map(|&x| frame * x).collect();
         let state = State { position, velocity, ..State::default() };
+        // the packing knows nothing of laws
+        let ropes = RopeState::at_rest(&system, &state.position);
+        let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
         let cells = cut.cells();
         if cells.is_empty() && scenario.measure.target_diameter.is_some() {
             notes.push(

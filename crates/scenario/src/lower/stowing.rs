@@ -1,9 +1,10 @@
 //! Where the nodes lie at launch, in the launch frame, and the audit of that.
 
 use glam::DVec3;
+use netcast_dynamics::forces::law::Law;
 use netcast_webs::{Audit, Bag, CutWeb, Given, PackingError, Pattern, Scale, StowedSegment, audit as look_over};
 
-use super::material::Member;
+use super::material::Materials;
 use crate::csv_files::StowRow;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
@@ -64,20 +65,36 @@ pub fn node_id(cut: &CutWeb, node: usize) -> String {
     cut.web.knots.get(node).map_or_else(|| cut.node_label(node), |knot| knot.name.clone())
 }
 
-/// Looks the start over. A web that is stowed may not be stretched; one that starts as drawn may.
-pub fn audit(document: &Document, cut: &CutWeb, members: &[Member], positions: &[DVec3]) -> Result<Audit, Diagnostics> {
+/// Looks the start over. A web that is stowed may not be stretched, nor its struts compressed; one that starts as drawn
+/// may.
+pub fn audit(
+    document: &Document,
+    cut: &CutWeb,
+    Materials { members, groups, .. }: &Materials,
+    positions: &[DVec3],
+) -> Result<Audit, Diagnostics> {
     let segments = members.iter().map(|m| {
         let [a, b] = m.segment.ends;
         StowedSegment { a, b, rest_length: m.segment.rest_length, stiffness: m.segment.stiffness }
     });
     let audit = look_over(positions, segments);
-    match (&document.scenario.stow, audit.longest) {
-        (Some(stow), Some(longest)) if !audit.is_slack() => {
-            let path = match stow {
-                Stow::Scale(_) => "stow.scale",
-                Stow::Bag(_) => "stow.bag",
-                Stow::File(_) => "stow.file",
-            };
+    let Some(stow) = &document.scenario.stow else { return Ok(audit) };
+    let path = match stow {
+        Stow::Scale(_) => "stow.scale",
+        Stow::Bag(_) => "stow.bag",
+        Stow::File(_) => "stow.file",
+    };
+    let shortened = members.iter().filter(|m| groups[m.segment.class].law == Law::Strut).find_map(|member| {
+        let share = -member.segment.stretch(positions) / member.segment.rest_length;
+        (share > Audit::TOLERANCE).then(|| (member.label(cut), 100.0 * share))
+    });
+    if let Some((label, percent)) = shortened {
+        let message = format!("the stowed web compresses struts: {label} by {percent:.3} %");
+        let help = "leave the packing out, or give positions at which struts keep their length, by [stow.file]";
+        return Err(document.diagnostic(path, message).with_help(help).into());
+    }
+    match audit.longest {
+        Some(longest) if !audit.is_slack() => {
             let message = format!(
                 "the stowed web is stretched: {} by {:.3} %, and {} segments in all (a packing may not stretch a rope)",
                 members[longest.segment].label(cut),

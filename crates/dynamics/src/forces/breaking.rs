@@ -1,0 +1,57 @@
+//! Breaking of a segment, at a load or at a strain.
+//!
+//! ```text
+//! T > load   or   d > strain L0
+//! ```
+//!
+//! The tension T of the step in which this first holds still acts, damping and all; from the next step on the segment is
+//! gone, and its nodes fly on. So the load is exceeded by no more than what the tension gains in one step. The elastic energy
+//! that it held then goes to the channel `rupture`. What its last tension does until the next step is friction.
+//!
+//! A brittle break of a whole cross-section: no yarn breaks before the others, and a break does not depend on how long or how often
+//! the load was borne. (As in the lattice and net models of Hearle et al. 2004; McKenna, Hearle, O'Hear 2004, chapter 4.)
+
+use serde::{Deserialize, Serialize};
+
+/// What a segment bears at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Breaking {
+    /// Breaking load, N.
+    pub load: f64,
+    /// Breaking strain.
+    pub strain: f64,
+}
+
+impl Breaking {
+    /// It never breaks.
+    pub const NEVER: Breaking = Breaking { load: f64::INFINITY, strain: f64::INFINITY };
+
+    /// The length beyond which a segment breaks, m.
+    pub fn length(&self, rest_length: f64) -> f64 {
+        rest_length * (1.0 + self.strain)
+    }
+
+    /// Whether a segment of this rest length breaks, m, at this tension, N, and length, m.
+    pub fn happens(&self, rest_length: f64, tension: f64, length: f64) -> bool {
+        tension > self.load || length > self.length(rest_length)
+    }
+}
+
+impl Default for Breaking {
+    fn default() -> Breaking {
+        Breaking::NEVER
+    }
+}
+
+/// A segment that broke.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Break {
+    /// Which segment.
+    pub segment: usize,
+    /// In which step.
+    pub step: u64,
+    /// When, s.
+    pub time: f64,
+    /// Its tension then, N.
+    pub tension: f64,
+}

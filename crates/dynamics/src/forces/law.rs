@@ -1,0 +1,257 @@
+//! The law by which a segment pulls along itself: which there are, and what they share.
+//!
+//! | law | file | tension | memory | lost in |
+//! |---|---|---|---|---|
+//! | linear | [`rope_tension`] | k d | | rope_damping |
+//! | bilinear | [`bilinear`](super::bilinear) | another stiffness beyond a strain | | rope_damping |
+//! | tabulated | [`tabulated`](super::tabulated) | a table, unloading on a path of its own | largest strain | rope_hysteresis |
+//! | viscoelastic | [`viscoelastic`](super::viscoelastic) | standard linear solid | dashpot | rope_damping |
+//! | strut | [`strut`](super::strut) | k d, and pushes | | rope_damping |
+//!
+//! Beside each works the damper c d' of [`rope_tension`]; all but the strut pull only where they are taut, and never
+//! push. d is the stretch, m. A law belongs to a link class, its stiffness k and damping c to each segment.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::bilinear::Bilinear;
+use super::rope_tension::{self, Along, LANES, Pull, friction_work, sum_lanes};
+use super::strut;
+use super::tabulated::Tabulated;
+use super::viscoelastic::{Decay, Viscoelastic};
+use crate::system::{Segment, System};
+
+/// A law of tension against stretch.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Law {
+    /// Tension in proportion to stretch.
+    #[default]
+    Linear,
+    /// A second stiffness beyond a strain.
+    Bilinear(Bilinear),
+    /// A measured curve, and one for unloading where there is hysteresis.
+    Tabulated(Arc<Tabulated>),
+    /// Stiffer at first, relaxing with time.
+    Viscoelastic(Viscoelastic),
+    /// Pulls and pushes.
+    Strut,
+}
+
+/// What a segment remembers of its past beyond where its nodes are; what the numbers are is its law's affair.
+pub type Memory = [f64; 2];
+
+/// A segment along itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axial {
+    /// Length without tension, m.
+    pub rest_length: f64,
+    /// Stiffness k, N/m.
+    pub stiffness: f64,
+    /// Damping c, N s/m.
+    pub damping: f64,
+}
+
+impl Axial {
+    /// No segment, or one that is broken: it is never taut.
+    pub const GONE: Axial = Axial { rest_length: f64::MAX, stiffness: 0.0, damping: 0.0 };
+}
+
+impl From<&Segment> for Axial {
+    fn from(s: &Segment) -> Axial {
+        Axial { rest_length: s.rest_length, stiffness: s.stiffness, damping: s.damping }
+    }
+}
+
+impl Law {
+    /// Its parameters, and whether each is in range. Tables are checked when they are made.
+    pub(crate) fn parameters(&self) -> Vec<(&'static str, f64, bool)> {
+        match *self {
+            Law::Linear | Law::Tabulated(_) | Law::Strut => Vec::new(),
+            Law::Bilinear(Bilinear { strain, ratio }) => {
+                vec![("strain at the bend", strain, strain >= 0.0), ("ratio of stiffnesses", ratio, ratio >= 0.0)]
+            }
+            Law::Viscoelastic(Viscoelastic { ratio, relaxation_time }) => vec![
+                ("ratio of stiffnesses", ratio, ratio > 0.0),
+                ("relaxation time, s", relaxation_time, relaxation_time > 0.0),
+            ],
+        }
+    }
+
+    /// The largest stiffness against a small stretch that a segment can show, N/m: what bounds the step.
+    pub fn largest_stiffness(&self, segment: &Axial) -> f64 {
+        match self {
+            Law::Linear | Law::Strut => segment.stiffness,
+            Law::Bilinear(law) => law.largest_stiffness(segment.stiffness),
+            Law::Tabulated(law) => law.largest_slope() / segment.rest_length,
+            Law::Viscoelastic(law) => law.instantaneous_stiffness(segment.stiffness),
+        }
+    }
+
+    /// The strain under a lasting tension, N, of a rope of axial stiffness `axial_stiffness` = k L0, N.
+    pub fn strain_under(&self, tension: f64, axial_stiffness: f64) -> f64 {
+        match self {
+            Law::Linear | Law::Strut | Law::Viscoelastic(_) => tension / axial_stiffness,
+            Law::Bilinear(law) => law.strain_under(tension, axial_stiffness),
+            Law::Tabulated(law) => law.strain_under(tension),
+        }
+    }
+
+    /// Whether a segment of this law remembers.
+    pub fn remembers(&self) -> bool {
+        match self {
+            Law::Linear | Law::Bilinear(_) | Law::Strut => false,
+            Law::Tabulated(law) => law.has_hysteresis(),
+            Law::Viscoelastic(_) => true,
+        }
+    }
+
+    /// What a segment remembers that has been stretched by `stretch`, m, for long.
+    pub fn at_rest(&self, stretch: f64) -> Memory {
+        match self {
+            Law::Viscoelastic(law) => law.at_rest(stretch),
+            Law::Linear | Law::Bilinear(_) | Law::Tabulated(_) | Law::Strut => [0.0; 2],
+        }
+    }
+
+    /// What time alone does to memory in `elapsed` seconds.
+    pub(crate) fn decay(&self, elapsed: f64) -> Decay {
+        match self {
+            Law::Viscoelastic(law) => law.decay(elapsed),
+            Law::Linear | Law::Bilinear(_) | Law::Tabulated(_) | Law::Strut => Decay::NONE,
+        }
+    }
+
+    /// What a segment does. `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s; `decay` is that of the
+    /// time since the forces before.
+    #[inline]
+    pub(crate) fn pull(
+        &self,
+        span: [f64; 3],
+        rate: [f64; 3],
+        Axial { rest_length, stiffness, damping }: Axial,
+        memory: &mut Memory,
+        dt: f64,
+        decay: &Decay,
+    ) -> Pull {
+        let along = Along::new(span, rate, rest_length, dt);
+        let Along { stretch, swept, .. } = along;
+        let taut = stretch > 0.0;
+        match self {
+            Law::Linear => rope_tension::pull(span, rate, rest_length, stiffness, damping, dt),
+            Law::Bilinear(law) => along.pulled(taut, law.tension(stretch, swept, rest_length, stiffness), damping),
+            Law::Tabulated(law) => along.pulled(taut, law.tension(stretch, swept, rest_length, memory), damping),
+            Law::Viscoelastic(law) => law.pull(&along, stiffness, damping, memory, decay),
+            Law::Strut => strut::pull(&along, stiffness, damping),
+        }
+    }
+
+    /// Energy that a segment at this stretch, m, gives back, J.
+    pub fn elastic_energy(&self, stretch: f64, segment: &Axial, memory: &Memory) -> f64 {
+        let &Axial { rest_length, stiffness, .. } = segment;
+        match self {
+            Law::Linear => rope_tension::elastic_energy(stretch, stiffness),
+            Law::Bilinear(law) => law.elastic_energy(stretch, rest_length, stiffness),
+            Law::Tabulated(law) => law.elastic_energy(stretch, rest_length, memory),
+            Law::Viscoelastic(law) => law.elastic_energy(stiffness, memory),
+            Law::Strut => strut::elastic_energy(stretch, stiffness),
+        }
+    }
+
+    /// Energy that a segment has lost to hysteresis so far, J.
+    pub fn hysteresis(&self, segment: &Axial, memory: &Memory) -> f64 {
+        match self {
+            Law::Tabulated(law) => law.hysteresis(segment.rest_length, memory),
+            Law::Linear | Law::Bilinear(_) | Law::Viscoelastic(_) | Law::Strut => 0.0,
+        }
+    }
+}
+
+/// What evolves of the segments beside their nodes.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct RopeState {
+    /// What each remembers, (segments,); empty where no law of the system remembers.
+    pub memory: Vec<Memory>,
+    /// Whether each is broken, (segments,).
+    pub broken: Vec<bool>,
+}
+
+impl RopeState {
+    /// Of a system that has been at these positions, m, for long, nothing broken.
+    pub fn at_rest(system: &System, position: &[DVec3]) -> RopeState {
+        let segments = system.segments().iter();
+        let memory = segments.clone().map(|s| system.law(s).at_rest(s.stretch(position)));
+        RopeState {
+            memory: if system.remembers() { memory.collect() } else { Vec::new() },
+            broken: segments.map(|_| false).collect(),
+        }
+    }
+
+    /// What a segment remembers.
+    pub fn memory_of(&self, segment: usize) -> Memory {
+        self.memory.get(segment).copied().unwrap_or_default()
+    }
+
+    /// A segment along itself, as it is now.
+    pub fn axial(&self, system: &System, segment: usize) -> Axial {
+        if self.broken[segment] { Axial::GONE } else { Axial::from(&system.segments()[segment]) }
+    }
+}
+
+/// Writes what every segment does to `pulls`, (segments,), each from its slot to the next, and lets `ropes` remember. `dt`
+/// is the step, `elapsed` the time since the forces before, s.
+pub fn pull_all(
+    system: &System,
+    position: &[DVec3],
+    velocity: &[DVec3],
+    dt: f64,
+    elapsed: f64,
+    ropes: &mut RopeState,
+    pulls: &mut [Pull],
+) {
+    for block in system.layout().blocks() {
+        for pair in block.slots.windows(2) {
+            if let Some(index) = pair[0].segment {
+                let (law, [a, b]) = (system.law(&system.segments()[index]), [pair[0].node, pair[1].node]);
+                let (span, rate) = (position[b] - position[a], velocity[b] - velocity[a]);
+                let (axial, mut memory, decay) =
+                    (ropes.axial(system, index), ropes.memory_of(index), law.decay(elapsed));
+                pulls[index] = law.pull(span.into(), rate.into(), axial, &mut memory, dt, &decay);
+                if let Some(kept) = ropes.memory.get_mut(index) {
+                    *kept = memory;
+                }
+            }
+        }
+    }
+}
+
+/// Adds the pull of every segment to `force`, N, (nodes,).
+///
+/// Forces on a node are summed over its slots in the layout's order; see [`crate::layout`].
+pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
+    for block in system.layout().blocks() {
+        let mut left = DVec3::ZERO;
+        for slot in &block.slots {
+            let right = slot.segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
+            force[slot.node] += right - left;
+            left = right;
+        }
+    }
+}
+
+/// Work lost in each block as its segments go from one length and friction to the next, J.
+pub fn lost_work(system: &System, before: &[Pull], after: &[Pull]) -> f64 {
+    let mut sum = 0.0;
+    for block in system.layout().blocks() {
+        let mut lanes = [0.0; LANES];
+        for (i, slot) in block.slots.iter().enumerate() {
+            if let Some(index) = slot.segment {
+                let Pull { length, friction, .. } = before[index];
+                lanes[i % LANES] += friction_work(length, friction, &after[index]) + after[index].lost;
+            }
+        }
+        sum += sum_lanes(lanes);
+    }
+    sum
+}

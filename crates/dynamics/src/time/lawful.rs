@@ -1,0 +1,36 @@
+//! The pass over a block whose segments follow another law than the linear one: segment by segment, without vectors.
+
+use super::blocks::{Nodes, Ropes, max, sum};
+use crate::forces::law::Axial;
+use crate::forces::law::Memory;
+use crate::forces::rope_tension::friction_work;
+
+impl Ropes {
+    /// Tensions and pulls of all segments of the block; `dt` is the step, s; `moved` whether one has passed since the forces
+    /// before.
+    pub fn pull_by_law(&mut self, nodes: &Nodes, dt: f64, moved: bool) {
+        let ([x, y, z], [u, v, w]) = (&nodes.x, &nodes.w);
+        let decay = self.law.decay(if moved { dt } else { 0.0 });
+        let mut nothing: Memory = Default::default();
+        for i in 0..self.tension.len() {
+            let span = [x[i + 1] - x[i], y[i + 1] - y[i], z[i + 1] - z[i]];
+            let rate = [u[i + 1] - u[i], v[i + 1] - v[i], w[i + 1] - w[i]];
+            let axial = self.axial(i);
+            let memory = self.memory.get_mut(i).unwrap_or(&mut nothing);
+            let p = self.law.pull(span, rate, axial, memory, dt, &decay);
+            self.each[i] = friction_work(self.length[i], self.friction[i], &p) + p.lost;
+            (self.tension[i], self.length[i], self.friction[i]) = (p.tension, p.length, p.friction);
+            for (pull, force) in self.pull.iter_mut().zip(p.force) {
+                pull[i + 1] = force;
+            }
+        }
+        self.rope_work = sum(&self.each);
+        self.max_tension = max(&self.tension);
+    }
+
+    /// The segment of a slot along itself.
+    pub fn axial(&self, slot: usize) -> Axial {
+        let (rest_length, stiffness, damping) = (self.rest_length[slot], self.stiffness[slot], self.damping[slot]);
+        Axial { rest_length, stiffness, damping }
+    }
+}

@@ -1,0 +1,106 @@
+//! Ropes that break: where, at which load, when, and what becomes of the energy.
+
+mod nets;
+
+use glam::DVec3;
+use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::simulate::{Frame, Live, Observer, Schedule, resume, simulate};
+use netcast_dynamics::snapshot::Snapshot;
+use netcast_dynamics::system::Segment;
+use netcast_dynamics::time::step_size::step_limit;
+use nets::{Film, Net};
+use proptest::prelude::*;
+
+const LENGTH: f64 = 5.0;
+const COUNT: usize = 250;
+const SPEED: f64 = 71.0;
+/// The rope's wave speed, m/s, and its tension behind the front, N: rho A c V.
+const WAVE_SPEED: f64 = 6493.2;
+const PLATEAU: f64 = 66_990.0;
+
+/// The paper's rope, its first end held while all of it runs away from there: the front of its tension travels from that
+/// end to the other. The segment `weak` bears `load`, N.
+fn jerked(weak: usize, breaking: Breaking) -> Net {
+    let mut net = Net::rope(LENGTH, COUNT, nets::paper_rope(0.05));
+    net.state.velocity = vec![DVec3::X * SPEED; COUNT + 1];
+    net.parts.held[0] = true;
+    net.parts.segments[weak].breaking = breaking;
+    net
+}
+
+#[test]
+fn a_jerked_rope_breaks_at_its_weak_segment_at_that_load() {
+    let (segment_length, back) = (LENGTH / COUNT as f64, 2.0 * LENGTH / WAVE_SPEED);
+    for (weak, share) in [(0, 0.4), (60, 0.5), (125, 0.5), (220, 0.6)] {
+        let load = share * PLATEAU;
+        let net = jerked(weak, Breaking { load, ..Breaking::NEVER });
+        let system = net.build();
+        let dt = 0.3 * step_limit(&system).dt;
+        let outcome = simulate(&system, &net.state, &Schedule::new(back, back / 50.0, dt), 1, &mut Film::default());
+
+        let [only] = outcome.breaks[..] else { panic!("{:?}", outcome.breaks) };
+        let (tension, closure) = (only.tension, outcome.balance.closure());
+        let front = (weak as f64 + 0.5) * segment_length / WAVE_SPEED;
+        println!(
+            "{tension:.0} N at a load of {load:.0} N, {:.2e} s, front {front:.2e} s, closure {closure:.1e}",
+            only.time
+        );
+        assert_eq!(only.segment, weak);
+        // in one step the tension gains no more than that of a segment that is drawn at V, and its damper's
+        let Segment { stiffness, damping, .. } = system.segments()[weak];
+        let gain = stiffness * SPEED * dt + damping * SPEED;
+        assert!(tension > load && tension < load + gain, "{tension} N at a load of {load} N, {gain} N a step");
+        // the front is as wide as a few segments
+        assert!((only.time - front).abs() < 4.0 * segment_length / WAVE_SPEED, "{} s, front {front} s", only.time);
+        assert!(outcome.ledger.rupture > 0.0 && closure < 5e-4, "{:?}", outcome.ledger);
+    }
+}
+
+#[test]
+fn a_rope_breaks_at_its_strain_too() {
+    // behind the front the strain is V over the wave speed
+    let strain = SPEED / WAVE_SPEED;
+    for (share, breaks) in [(0.5, 1), (1.5, 0)] {
+        let net = jerked(125, Breaking { strain: share * strain, ..Breaking::NEVER });
+        let system = net.build();
+        let schedule = Schedule::new(LENGTH / WAVE_SPEED, 1e-5, 0.3 * step_limit(&system).dt);
+        let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
+        assert_eq!(outcome.breaks.len(), breaks);
+        assert!(outcome.balance.closure() < 5e-4);
+    }
+}
+
+/// Interrupts a run at every record and keeps the snapshots.
+#[derive(Default)]
+struct Keeper(Vec<Snapshot>);
+
+impl Observer for Keeper {
+    fn step(&mut self, _: &Live) {}
+    fn record(&mut self, _: &Frame) {}
+    fn wants_snapshot(&mut self) -> bool {
+        true
+    }
+    fn snapshot(&mut self, snapshot: &Snapshot) {
+        self.0.push(snapshot.clone());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Whatever breaks, the balance closes, and a run that goes on from any record comes to the same end; with steps as
+    /// long as the time between records, so that some of them break something.
+    #[test]
+    fn a_net_that_breaks_keeps_account_and_can_go_on(net in nets::any_net_of_any_law(0.05)) {
+        let system = net.build();
+        let dt = 0.05 * step_limit(&system).dt.min(1e-3);
+        let schedule = Schedule::new(2000.0 * dt, dt, dt);
+        let mut keeper = Keeper::default();
+        let outcome = simulate(&system, &net.state, &schedule, 1, &mut keeper);
+        prop_assert!(outcome.balance.closure() < 3e-3, "{:?}", outcome);
+        let at_breaks = keeper.0.iter().filter(|kept| outcome.breaks.iter().any(|b| b.step.abs_diff(kept.step()) < 2));
+        for snapshot in at_breaks.chain([&keeper.0[500]]) {
+            prop_assert_eq!(&resume(&system, snapshot, &schedule, 2, &mut Film::default()), &outcome);
+        }
+    }
+}
