@@ -109,8 +109,16 @@ fn rate(steppers: &mut [Stepper]) -> f64 {
 /// # Errors
 /// As [`measure`].
 pub fn net(meshes: usize) -> Result<Model, Diagnostics> {
+    net_with(meshes, &[])
+}
+
+/// The same with overrides, as after `--set`.
+///
+/// # Errors
+/// [`Diagnostics`] where the scenario is refused.
+pub fn net_with(meshes: usize, overrides: &[String]) -> Result<Model, Diagnostics> {
     let source = Source { name: "bench.toml".into(), text: net_text(meshes) };
-    Model::new(&Document::parse(source, "".as_ref(), &[])?)
+    Model::new(&Document::parse(source, "".as_ref(), overrides)?)
 }
 
 /// The contract's square net at this size, thrown.

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! e1 is the strain at the bend, E and E2 the moduli below and above it, k = EA/L0 (N/m). Twisted and braided ropes
-//! settle first and stiffen then (r > 1: McKenna, Hearle, O'Hear, Handbook of Fibre Rope Technology, 2004, chapter 4); some
+//! settle first and stiffen then (r > 1: McKenna, Hearle, O'Hear, Handbook of Fibre Rope Technology, 2004); some
 //! fibres yield (r < 1). It is elastic: it unloads along the way it was loaded, so it is no model of plastic
 //! yielding, for which a table with an unloading path is. Both branches are ramps, and each gets the correction of
 //! [`rope_tension`](super::rope_tension) where it begins, so that the work of a step across the bend is exact.

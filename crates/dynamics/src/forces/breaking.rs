@@ -6,10 +6,12 @@
 //!
 //! The tension T of the step in which this first holds still acts, damping and all; from the next step on the segment is
 //! gone, and its nodes fly on. So the load is exceeded by no more than what the tension gains in one step. The elastic energy
-//! that it held then goes to the channel `rupture`. What its last tension does until the next step is friction.
+//! that it held then goes to the channel `rupture`; what its last tension does until the next step is friction, and goes
+//! to `rope_damping`. docs/theory/breaking.md.
 //!
-//! A brittle break of a whole cross-section: no yarn breaks before the others, and a break does not depend on how long or how often
-//! the load was borne. (As in the lattice and net models of Hearle et al. 2004; McKenna, Hearle, O'Hear 2004, chapter 4.)
+//! A brittle break of the whole cross-section: no yarn goes before the others, and neither how long nor how often a load is borne
+//! matters. Segments of one rope in one tension may break one after the other, before the wave of the first break has
+//! passed: give one of them less strength where one break is meant.
 
 use serde::{Deserialize, Serialize};
 

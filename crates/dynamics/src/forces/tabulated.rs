@@ -20,7 +20,7 @@
 //!
 //! whatever the shape of F: no rope gives back more than was put in. (A path scaled as a whole, F(m) u(e/m), would where F
 //! stiffens fast.) The law is a pseudo-elastic one: Ogden, Roxburgh, A pseudo-elastic model for the Mullins effect, Proc. R.
-//! Soc. A 455, 1999, equation (3.10) with the damage as a function of e/m. Valid for one rate of loading: the curve of a quasi-static test is
+//! Soc. A 455, 1999, with the damage as a function of e/m. Valid for one rate of loading: the curve of a quasi-static test is
 //! soft for a snatch. Loading again follows the unloading path, so small cycles below m lose nothing.
 //!
 //! At a row the slope jumps, and within a step of it the trapezoidal work of the scheme would be wrong by that kink: each row

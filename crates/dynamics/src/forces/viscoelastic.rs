@@ -17,7 +17,7 @@
 //! holds taut and slack, and no energy comes from nowhere.
 //!
 //! **In steps of D.** With e linear in time over the step the branch is integrated exactly (Simo, Hughes, Computational
-//! Inelasticity, 1998, section 10.3):
+//! Inelasticity, 1998, chapter 10):
 //!
 //! ```text
 //! v+ = v + (1 - a)(e - v) + (1 - b)(e+ - e)       a = exp(-D/tau),  b = (1 - a) tau/D
