@@ -30,6 +30,8 @@ pub struct Ledger {
     pub mass_damping: f64,
     /// Work done on what moves driven nodes since the start; negative where these have moved the net.
     pub drive: f64,
+    /// Work done on launchers since the start; negative where these have thrown.
+    pub launch: f64,
 }
 
 impl Ledger {
@@ -67,7 +69,7 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 8] {
+    pub fn channels(&self) -> [(&'static str, f64); 9] {
         let Ledger {
             kinetic,
             kinetic_web: _,
@@ -78,6 +80,7 @@ impl Ledger {
             sheet_damping,
             mass_damping,
             drive,
+            launch,
         } = *self;
         [
             ("kinetic", kinetic),
@@ -88,6 +91,7 @@ impl Ledger {
             ("sheet_damping", sheet_damping),
             ("mass_damping", mass_damping),
             ("drive", drive),
+            ("launch", launch),
         ]
     }
 
@@ -176,6 +180,7 @@ pub(crate) struct Losses {
     sheet: f64,
     mass: Integral,
     drive: f64,
+    launch: f64,
 }
 
 impl Losses {
@@ -184,6 +189,7 @@ impl Losses {
         self.rope += sums.rope_work;
         self.sheet += sums.sheet_work;
         self.drive += sums.drive_work;
+        self.launch += sums.launch_work;
     }
 
     pub fn add_mass_power(&mut self, power: f64, dt: f64) {
@@ -199,6 +205,7 @@ impl Losses {
             sheet_damping: self.sheet,
             mass_damping: mass.value,
             drive: self.drive,
+            launch: self.launch,
             ..Ledger::of(system, state)
         }
     }

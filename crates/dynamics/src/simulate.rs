@@ -8,6 +8,7 @@ use crate::limits::{Excess, Limits};
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
+use crate::time::launching::Launching;
 use crate::time::step::{StepSums, Stepper};
 
 /// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
@@ -188,6 +189,8 @@ pub struct Outcome {
     pub balance: Balance,
     /// The last ledger.
     pub ledger: Ledger,
+    /// How the launch came out.
+    pub launching: Launching,
     /// The first limit that it exceeded, if it did.
     pub exceeded: Option<Excess>,
     /// Why it stopped early, if it did.
@@ -317,7 +320,8 @@ impl Run<'_> {
 
     fn outcome(&self, stopped: Option<StepError>) -> Outcome {
         let (balance, ledger, exceeded) = (self.record.balance(), self.record.ledger, self.record.exceeded);
-        Outcome { steps: self.step, end_time: self.time(), balance, ledger, exceeded, stopped }
+        let launching = self.net.launching();
+        Outcome { steps: self.step, end_time: self.time(), balance, ledger, launching, exceeded, stopped }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::limits::Excess;
 use crate::simulate::Schedule;
 use crate::system::System;
 use crate::time::attached::Turning;
+use crate::time::launching::Launching;
 
 /// What moves, by node: a [`Stepper`](crate::time::step::Stepper) started from it computes the same bits as the one it
 /// was taken from.
@@ -26,6 +27,8 @@ pub struct Motion {
     pub extrapolated: Vec<DVec3>,
     /// How rigid bodies turn, (bodies,).
     pub turning: Vec<Turning>,
+    /// Who is held by a launcher, in a tube, free.
+    pub launching: Launching,
     /// Steps taken.
     pub step: u64,
 }
@@ -72,13 +75,14 @@ impl Snapshot {
     /// # Errors
     /// [`SnapshotError`] where it is a snapshot of something else.
     pub fn check(&self, system: &System, schedule: &Schedule) -> Result<(), SnapshotError> {
-        let Motion { position, half_step_velocity, extrapolated, turning, step } = &self.motion;
+        let Motion { position, half_step_velocity, extrapolated, turning, launching, step } = &self.motion;
         let nodes = system.mass().len();
         let arrays = [
             ("positions of nodes", position.len(), nodes),
             ("half-step velocities of nodes", half_step_velocity.len(), nodes),
             ("extrapolated velocities of nodes", extrapolated.len(), nodes),
             ("rotations of bodies", turning.len(), system.bodies().len()),
+            ("launched nodes", launching.nodes.len(), system.launchers().len()),
         ];
         if let Some((what, found, expected)) = arrays.into_iter().find(|(_, found, expected)| found != expected) {
             return Err(SnapshotError::Shape { what, found, expected });

@@ -8,6 +8,7 @@
 //! | sheets: bending | [`hinge`] | elastic, sheet_damping |
 //! | weight | [`gravity`] | gravity |
 //! | constant forces on nodes | [`load`] | load |
+//! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
 //! Elements of a few nodes ([`element`]), each prepared from its rest shape:

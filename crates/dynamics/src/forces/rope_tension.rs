@@ -25,6 +25,7 @@
 //! which makes the work exact where d' is constant over two steps. It changes nothing as dt goes to 0, nor anywhere
 //! else. Derivation and measurement: docs/theory/slack-taut.md.
 
+use crate::layout::Address;
 use crate::system::System;
 use glam::DVec3;
 
@@ -112,6 +113,13 @@ pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
             left = right;
         }
     }
+}
+
+/// The force of the segments before and after a slot on it, N.
+pub fn force_at(system: &System, pulls: &[Pull], at: Address) -> DVec3 {
+    let slots = &system.layout().blocks()[at.block].slots;
+    let pull = |slot: usize| slots[slot].segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
+    pull(at.slot) - at.slot.checked_sub(1).map_or(DVec3::ZERO, pull)
 }
 
 /// Work lost in each block as its segments go from one length and friction to the next, J. Trapezoidal rule over the

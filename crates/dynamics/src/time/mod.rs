@@ -16,6 +16,7 @@
 pub mod attached;
 mod blocks;
 pub(crate) mod elements;
+pub mod launching;
 pub mod readable;
 pub mod step;
 pub mod step_size;

@@ -6,9 +6,11 @@ use glam::DVec3;
 
 use super::StepFactors;
 use super::attached::{Attached, Moving, Turning, started};
+use super::launching::Launching;
 use super::step::Team;
 use crate::forces::rope_tension::Pull;
 use crate::forces::{gravity, rope_tension};
+use crate::layout::Address;
 use crate::state::State;
 use crate::system::System;
 
@@ -27,6 +29,8 @@ pub struct Readable<'a> {
     /// Work lost inside ropes between the last two forces, J.
     pub rope_work: f64,
     attached: Option<Attached<'a>>,
+    /// All slots of each node, (nodes,).
+    slots: Vec<Vec<Address>>,
     taken: u64,
 }
 
@@ -44,7 +48,8 @@ impl<'a> Readable<'a> {
             velocity,
             pulls: vec![Pull { tension: 0.0, force: [0.0; 3], length: 0.0, friction: 0.0 }; system.segments().len()],
             rope_work: 0.0,
-            attached: Attached::new(system, factors, turning),
+            attached: Attached::new(system, factors, turning, Launching::starting(system), 0.0),
+            slots: system.layout().slots_by_node(),
             taken: 0,
         };
         let (x, v) = (&net.position, &net.velocity);
@@ -83,11 +88,16 @@ impl<'a> Readable<'a> {
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
-            attached.act(&Team::default(), |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
-            let mut with_ropes = attached.force().to_vec();
-            rope_tension::add_force(system, &self.pulls, &mut with_ropes);
-            attached.couple(|node, _| with_ropes[node], |node| x[node]);
+            let velocity = &mut self.velocity;
+            let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
+            attached.act(&Team::default(), moving);
+            let pull_at = |at: &Address| rope_tension::force_at(system, &self.pulls, *at);
+            attached.couple(
+                |node, force| self.slots[node].iter().map(pull_at).fold(force, |force, pull| force + pull),
+                moving,
+            );
             force.copy_from_slice(attached.force());
+            attached.let_go().iter().for_each(|&(node, before)| velocity[node] = before);
             self.rope_work += attached.sums().bending_work;
         }
         rope_tension::add_force(system, &self.pulls, &mut force);
