@@ -3,7 +3,7 @@
 use std::path::Path as FilePath;
 
 use crate::check;
-use crate::csv_files::{GraphFiles, StowRow, read_graph, read_stow};
+use crate::csv_files::{GraphFiles, PushRow, StowRow, read_graph, read_push, read_stow};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
@@ -28,6 +28,8 @@ pub struct Document {
     pub graph: Option<GraphFiles>,
     /// The file of `[stow.file]`.
     pub stowed: Option<Vec<StowRow>>,
+    /// The file of the force in `[launch.tube]`.
+    pub push: Option<Vec<PushRow>>,
 }
 
 impl Document {
@@ -57,11 +59,12 @@ impl Document {
         found.extend(rules::check(&written));
         let graph = read_graph(&written, &mut found);
         let stowed = read_stow(&written, &mut found);
+        let push = read_push(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed })
+        Ok(Self { written, library, scenario, graph, stowed, push })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or
