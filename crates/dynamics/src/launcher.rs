@@ -89,6 +89,14 @@ impl Push {
         }
     }
 
+    /// The work over a way of `stroke` metres, J; none where that depends on what is pushed.
+    pub fn work(&self, stroke: f64) -> Option<f64> {
+        let Push::OverStroke(curve) = self else { return None };
+        let corners = curve.0.iter().map(|&(way, _)| way).filter(|&way| way > 0.0 && way < stroke);
+        let ways: Vec<f64> = std::iter::once(0.0).chain(corners).chain([stroke]).collect();
+        Some(ways.windows(2).map(|w| 0.5 * (curve.at(w[0]) + curve.at(w[1])) * (w[1] - w[0])).sum())
+    }
+
     fn curve(&self) -> &Curve {
         let (Push::OverStroke(curve) | Push::OverTime(curve)) = self;
         curve
@@ -120,5 +128,7 @@ mod tests {
         assert_eq!(found, [4.0, 4.0, 5.0, 6.0, 3.0, 0.0, 0.0]);
         assert_eq!(curve.steepest(), 3.0);
         assert_eq!(Curve(vec![(0.0, 5.0)]).at(7.0), 5.0);
+        // 4, then from 4 to 6, then from 6 to 3
+        assert_eq!(Push::OverStroke(curve).work(3.0), Some(4.0 + 5.0 + 4.5));
     }
 }

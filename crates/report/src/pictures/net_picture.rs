@@ -172,7 +172,7 @@ pub(crate) fn extent(scene: &Scene, frame: usize, camera: &Camera) -> (DVec2, DV
 
 /// Radius of a body, m; none for a particle.
 fn body_radius(body: &BodyMark) -> f64 {
-    body.size_m.map_or(0.0, |[diameter, _]| 0.5 * diameter)
+    0.5 * body.shape.size_m()[0]
 }
 
 fn polygon(vertices: impl Iterator<Item = IVec2>) -> String {

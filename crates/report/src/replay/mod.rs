@@ -171,7 +171,7 @@ mod tests {
         for frame in 0..FRAMES {
             let positions: Vec<DVec3> = (0..=SEGMENTS).map(|node| position(frame, node)).collect();
             let tensions: Vec<f64> = (0..SEGMENTS).map(|segment| tension(frame, segment)).collect();
-            fields.push(frame as f64 * 1e-3, &positions, &vec![DVec3::ZERO; SEGMENTS + 1], &tensions).unwrap();
+            fields.push(frame as f64 * 1e-3, &positions, &vec![DVec3::ZERO; SEGMENTS + 1], &tensions, &[]).unwrap();
         }
         let dir = tempfile::tempdir().unwrap();
         let within = |name: &str| dir.path().join(name);

@@ -27,6 +27,13 @@ pub struct Throw {
     pub launcher: Option<usize>,
 }
 
+impl Throw {
+    /// The angle between its way and the launch axis, rad.
+    pub fn angle_to(&self, axis: DVec3) -> f64 {
+        libm::atan2(self.direction.cross(axis).length(), self.direction.dot(axis))
+    }
+}
+
 /// What sets a tractor in motion.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Thrown {

@@ -30,11 +30,13 @@ pub use material::{Group, Link, PlacedBody, Role};
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
+use netcast_dynamics::body::Body;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
 use netcast_webs::{Audit, Bill, CutWeb};
 
+use crate::body::Solid;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::scenario::Scenario;
@@ -270,6 +272,18 @@ impl Model {
     /// Whether a segment is a piece of rope; members of canopies are not.
     pub fn is_rope(&self, segment: usize) -> bool {
         self.members[segment].is_rope()
+    }
+
+    /// The tractors that are rigid bodies, in the order of the corners; none for the others.
+    pub fn tractors_by_corner(&self) -> Vec<Option<(Solid, &Body)>> {
+        let at = |knot: &usize| {
+            let is_it = |placed: &&PlacedBody| {
+                placed.role == Role::Tractor && placed.rigid.is_some() && self.tied_to(placed.node) == Some(*knot)
+            };
+            let placed = self.bodies.iter().find(is_it)?;
+            Some((placed.solid, &self.system.bodies()[placed.rigid?]))
+        };
+        self.cut.web.tractors.iter().map(at).collect()
     }
 
     /// The segments of rope that meet at some node of `nodes`, or at what is tied to a body there.
