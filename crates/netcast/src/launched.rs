@@ -2,7 +2,7 @@
 
 use netcast_dynamics::simulate::Outcome;
 use netcast_results::summary::{Departure, Launch, Recoil};
-use netcast_scenario::lower::{Model, Throw, Thrown};
+use netcast_scenario::lower::{Model, Throw};
 
 /// The launch of a run that came out so; none where nothing is launched.
 pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Launch> {
@@ -10,11 +10,11 @@ pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Launch> {
     let spin_rad_s = launch.map_or(0.0, |launch| launch.spin.si());
     let axis = model.axis();
     let depart = |throw: &Throw| {
-        // what has no launcher has left at the start
-        let left = match (throw.launcher, &throw.by) {
-            (Some(launcher), _) => outcome.launching.nodes[launcher].left,
-            (None, Thrown::At(velocity)) => Some((0.0, velocity.length())),
-            (None, Thrown::From { .. }) => None,
+        // what has no launcher has left at the start, unless it is held
+        let left = match throw.launcher {
+            Some(launcher) => outcome.launching.nodes[launcher].left,
+            None if model.system.held()[throw.node] => None,
+            None => Some((0.0, model.state.velocity[throw.node].length())),
         };
         Departure {
             time_s: left.map(|(time, _)| time),

@@ -17,6 +17,8 @@ use crate::scenario::Scenario;
 pub struct Throw {
     /// The corner that it is tied to, from 1.
     pub corner: u32,
+    /// Its node; a rigid body's centre.
+    pub node: usize,
     /// How long it stays where it is, s.
     pub delay: f64,
     /// The way it goes, a unit vector in the world frame; the launch axis where it goes nowhere.
@@ -123,7 +125,7 @@ pub fn throws(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<
                 (velocity.try_normalize().unwrap_or(axis), Thrown::At(velocity))
             }
         };
-        Some(Throw { corner, delay, direction, by, launcher: None })
+        Some(Throw { corner, node: web.tractors[index], delay, direction, by, launcher: None })
     };
     let mut throws: Vec<Option<Throw>> = (0..web.tractors.len()).map(throw).collect();
     if scatter.is_some_and(|scatter| scatter.delay.si() > 0.0) {

@@ -167,9 +167,9 @@ impl Model {
             let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
             body.map_or(knot, |body| body.centre)
         };
-        let by_corner: Vec<usize> = cut.web.tractors.iter().map(|&knot| centre_of(knot)).collect();
         let tractors: Vec<usize> = cut.web.tractor_ring().into_iter().map(centre_of).collect();
-        release::throw(&mut throws, &by_corner, &mut parts, &mut state);
+        throws.iter_mut().flatten().for_each(|throw| throw.node = centre_of(throw.node));
+        release::throw(&mut throws, &mut parts, &mut state);
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * axis, &parts, &mut state);
         release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;

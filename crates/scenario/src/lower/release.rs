@@ -13,11 +13,10 @@ use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::scenario::Scenario;
 
-/// Gives each tractor its velocity, or the launcher that will; `nodes` are the tractors' in the order of the corners.
-pub fn throw(throws: &mut [Option<Throw>], nodes: &[usize], parts: &mut SystemParts, state: &mut State) {
-    for (throw, &node) in throws.iter_mut().zip(nodes) {
-        let Some(throw) = throw.as_mut().filter(|_| !parts.held[node]) else { continue };
-        let (delay, direction) = (throw.delay, throw.direction);
+/// Gives each tractor its velocity, or the launcher that will. One that is held stays.
+pub fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut State) {
+    for throw in throws.iter_mut().flatten().filter(|throw| !parts.held[throw.node]) {
+        let (node, delay, direction) = (throw.node, throw.delay, throw.direction);
         let by = match &throw.by {
             Thrown::At(velocity) if delay > 0.0 => Means::Velocity(*velocity),
             Thrown::At(velocity) => {
