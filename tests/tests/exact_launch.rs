@@ -6,7 +6,7 @@ use netcast::scenario::diagnostic::Source;
 use netcast::{Document, Model, schedule};
 use netcast_tests::{Run, assert_close};
 
-/// A net in a bag, whose tractors can go 0.2 m before any of their ropes pulls; without weight.
+/// A net in a bag, whose tractors can go 0.1 m before any of their ropes pulls; without weight.
 fn net(launch: &str) -> String {
     format!(
         r#"
@@ -47,35 +47,35 @@ fn moved(model: &Model) -> f64 {
 
 #[test]
 fn a_spring_in_a_tube_gives_its_energy_and_takes_the_recoil() {
-    let tube = "[launch.tube]\nstroke = \"0.2 m\"\ncant = \"30 deg\"\n\
-                force_over_stroke = { at = [0, \"0.2 m\"], force = [\"1.2 kN\", 0] }\n";
+    let tube = "[launch.tube]\nstroke = \"0.1 m\"\ncant = \"30 deg\"\n\
+                force_over_stroke = { at = [0, \"0.1 m\"], force = [\"1.2 kN\", 0] }\n";
     let run = Run::of(&read(net(tube)));
     let launch = run.summary.launch.clone().expect("it is launched");
-    let speed = (2.0 * 120.0 / moved(&run.model)).sqrt();
+    let speed = (2.0 * 60.0 / moved(&run.model)).sqrt();
     for departure in launch.tractors.values() {
-        assert_close("muzzle speed, m/s", departure.speed_m_s.expect("it left"), speed, 1e-6);
+        assert_close("muzzle speed, m/s", departure.speed_m_s.expect("it left"), speed, 1e-5);
         // a quarter of the period of mass and spring
-        let quarter = 0.5 * std::f64::consts::PI * (moved(&run.model) / 6000.0).sqrt();
+        let quarter = 0.5 * std::f64::consts::PI * (moved(&run.model) / 12_000.0).sqrt();
         assert_close("time in the tube, s", departure.time_s.expect("it left"), quarter, 1e-3);
         assert_close("angle, deg", departure.angle_rad.to_degrees(), 30.0, 1e-12);
     }
     let recoil = launch.recoil.expect("tubes have one");
     // across the axis the four cancel
     let momentum = 4.0 * moved(&run.model) * speed * 0.75f64.sqrt();
-    assert_close("recoil, N s", recoil.axial_impulse_n_s, momentum, 1e-6);
-    assert_close("recoil, N s", recoil.impulse_n_s, momentum, 1e-6);
+    assert_close("recoil, N s", recoil.axial_impulse_n_s, momentum, 1e-5);
+    assert_close("recoil, N s", recoil.impulse_n_s, momentum, 1e-5);
     assert_close("largest recoil, N", recoil.peak_n, 4.0 * 1200.0 * 0.75f64.sqrt(), 1e-9);
-    assert_close("work of the springs, J", -run.last("energy_launch_j"), 480.0, 1e-6);
+    assert_close("work of the springs, J", -run.last("energy_launch_j"), 240.0, 1e-6);
 }
 
 #[test]
 fn a_constant_force_against_the_weight_gives_the_rest_of_its_work() {
-    let tube = "[launch]\nelevation = \"40 deg\"\n[launch.tube]\nstroke = \"0.2 m\"\n\
+    let tube = "[launch]\nelevation = \"40 deg\"\n[launch.tube]\nstroke = \"0.1 m\"\n\
                 force_over_stroke = { at = [0], force = [\"300 N\"] }\n";
     let run = Run::of(&read(net(tube).replace("gravity = 0", "gravity = 9.80665")));
     let launch = run.summary.launch.clone().expect("it is launched");
     let weight = 9.80665 * libm::sin(40f64.to_radians());
-    let speed = (2.0 * 0.2 * (300.0 / moved(&run.model) - weight)).sqrt();
+    let speed = (2.0 * 0.1 * (300.0 / moved(&run.model) - weight)).sqrt();
     for departure in launch.tractors.values() {
         assert_close("muzzle speed, m/s", departure.speed_m_s.expect("it left"), speed, 2e-5);
     }

@@ -315,7 +315,7 @@ tractor.box = { width = "40 mm", depth = "30 mm", height = "60 mm", density = 78
 traction_rope = { length = "0.3 m", tie_point = ["5 mm", "5 mm", "-30 mm"] }
 stow.bag.radius = "0.2 m"
 launch = { axial_speed = "50 m/s", radial_speed = "10 m/s", attitude = "flight" }
-covers = [{ opens = "1.3 ms" }, { opens = "2 ms", nodes = ["canopy 1"] }]
+covers = [{ opens = "1.3 ms" }, { opens = "2 ms", nodes = ["centre of canopy 1"] }]
 tractors = [{ corner = 1, delay = "0.7 ms" }, { corner = 2, delay = "1.5 ms" }]
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
 solve = { duration = "4 ms", segment_length = "0.2 m" }
