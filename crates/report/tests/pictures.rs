@@ -76,6 +76,7 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
         classes: vec![0; 4],
         class_names: vec!["outline".into()],
         labels: Vec::new(),
+        bodies: Vec::new(),
     };
     let mut fields = FieldsWriter::new(topology).unwrap();
     for (frame, width) in widths.iter().enumerate() {
@@ -337,12 +338,13 @@ fn large_net(meshes: usize, pieces: usize) -> TempDir {
         segments,
         class_names: vec!["outline".into()],
         labels: Vec::new(),
+        bodies: Vec::new(),
     };
     let mut fields = FieldsWriter::new(topology).unwrap();
     let still = vec![DVec3::ZERO; points.len()];
     for frame in 0..8 {
         let wave = |point: &DVec3| *point + DVec3::Z * (0.3 * point.x + f64::from(frame)).sin();
-        fields.push(f64::from(frame), &points.iter().map(wave).collect::<Vec<_>>(), &still, &tensions).unwrap();
+        fields.push(f64::from(frame), &points.iter().map(wave).collect::<Vec<_>>(), &still, &tensions, &[]).unwrap();
     }
     fields.finish(&folder.path().join("fields.vtkhdf")).unwrap();
     let bare = Landmarks { outline: Vec::new(), bodies: Vec::new(), points: Vec::new(), ..landmarks() };

@@ -166,6 +166,7 @@ mod tests {
             classes: (0..SEGMENTS as u32).map(|segment| segment / 300).collect(),
             class_names: vec!["one".into(), "other".into()],
             labels: Vec::new(),
+            bodies: Vec::new(),
         })
         .unwrap();
         for frame in 0..FRAMES {

@@ -68,7 +68,8 @@ function turnedAxes(now, next, between) {
   // the shorter way round: a quaternion and its negative are the same orientation
   const sign = now.reduce((sum, part, place) => sum + part * next[place], 0) < 0 ? -1 : 1;
   const mixed = now.map((part, place) => part + between * (sign * next[place] - part));
-  const [x, y, z, w] = scaled(mixed, 1 / Math.hypot(...mixed));
+  const length = Math.hypot(...mixed);
+  const [x, y, z, w] = mixed.map((part) => part / length);
   return [
     [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
     [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
