@@ -393,4 +393,24 @@ mod tests {
             "At least 80 % open from 0.112 s to 0.193 s, its longest spell; 0.120 s in all."
         );
     }
+
+    #[test]
+    fn a_launch_is_told_where_it_is_more_than_its_speed() {
+        let one = |speed: f64, time: f64| json!({"speed_m_s": speed, "time_s": time, "angle_rad": 0.3});
+        let mut launch =
+            json!({"spin_rad_s": 0.0, "tractors": {"1": one(50.0, 0.0), "2": one(50.0, 0.0)}, "recoil": null});
+        let told = |launch: &Value| super::launch(&json!({ "launch": launch }));
+        assert_eq!(told(&launch), None);
+        assert_eq!(told(&Value::Null), None);
+        launch["spin_rad_s"] = json!(20.0);
+        assert_eq!(told(&launch).unwrap(), "The tractors left at 50.0 m/s, all turning at 20.0 rad/s.");
+        launch = json!({
+            "spin_rad_s": 0.0,
+            "tractors": {"1": one(31.0, 0.02), "2": one(33.0, 0.03), "3": {"speed_m_s": null, "time_s": null}},
+            "recoil": {"peak_n": 4500.0, "impulse_n_s": 95.0},
+        });
+        let expected = "2 of 3 tractors have left at 31.0 to 33.0 m/s, 0.020 s to 0.030 s after the start; the recoil is up to \
+                        4.50 kN, 95.0 N s in all.";
+        assert_eq!(told(&launch).unwrap(), expected);
+    }
 }
