@@ -119,17 +119,18 @@ impl NetPicture<'_> {
                 BodyKind::Tractor => ("tractor", LEAST_RADIUS.0),
                 BodyKind::Payload | BodyKind::Sensor => ("payload", LEAST_RADIUS.1),
             };
-            let radius = (body_radius(body) * self.px_per_m).max(least);
             let corners = body.rigid.map_or(Vec::new(), |rigid| outline(&body.shape, turned[rigid], &self.camera));
             let reach = self.px_per_m * corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
             // of its true size, unless that is too small to be seen
-            match reach > least {
-                true => {
-                    let corners = corners.iter().map(|corner| corner * DVec2::new(self.px_per_m, -self.px_per_m));
-                    labels.shape(class, points[body.node], reach, corners, svg);
-                }
-                false => labels.circle(class, points[body.node], radius, svg),
-            }
+            let radius = if reach > least {
+                let corners = corners.iter().map(|corner| corner * DVec2::new(self.px_per_m, -self.px_per_m));
+                labels.shape(class, points[body.node], reach, corners, svg);
+                reach
+            } else {
+                let radius = (body_radius(body) * self.px_per_m).max(least);
+                labels.circle(class, points[body.node], radius, svg);
+                radius
+            };
             let number = landmarks.tractors.iter().position(|&tractor| tractor == body.node);
             if let Some(place) = number.filter(|_| are_numbered) {
                 let text = format!("T{}", place + 1);
