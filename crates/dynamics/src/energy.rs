@@ -35,6 +35,8 @@ pub struct Ledger {
     pub mass_damping: f64,
     /// Work done on what moves driven nodes since the start; negative where these have moved the net.
     pub drive: f64,
+    /// Work done on launchers since the start; negative where these have thrown.
+    pub launch: f64,
 }
 
 impl Ledger {
@@ -75,7 +77,7 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 10] {
+    pub fn channels(&self) -> [(&'static str, f64); 11] {
         let Ledger {
             kinetic,
             kinetic_web: _,
@@ -88,6 +90,7 @@ impl Ledger {
             rupture,
             mass_damping,
             drive,
+            launch,
         } = *self;
         [
             ("kinetic", kinetic),
@@ -100,6 +103,7 @@ impl Ledger {
             ("rupture", rupture),
             ("mass_damping", mass_damping),
             ("drive", drive),
+            ("launch", launch),
         ]
     }
 
@@ -189,6 +193,7 @@ pub(crate) struct Losses {
     rupture: f64,
     mass: Integral,
     drive: f64,
+    launch: f64,
 }
 
 impl Losses {
@@ -197,6 +202,7 @@ impl Losses {
         self.rope += sums.rope_work;
         self.sheet += sums.sheet_work;
         self.drive += sums.drive_work;
+        self.launch += sums.launch_work;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {
@@ -211,9 +217,9 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, drive } = *self;
+        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, drive, launch } = *self;
         let now = Ledger::of(system, state, ropes);
-        Ledger { rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, ..now }
+        Ledger { rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, launch, ..now }
     }
 }
 

@@ -56,6 +56,7 @@ pub mod body;
 pub mod drive;
 pub mod energy;
 pub mod forces;
+pub mod launcher;
 pub mod layout;
 pub mod limits;
 pub mod simulate;

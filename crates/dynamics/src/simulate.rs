@@ -9,6 +9,7 @@ use crate::limits::{Excess, Limits};
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
+use crate::time::launching::Launching;
 use crate::time::step::{Failure, StepSums, Stepper};
 
 /// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
@@ -189,6 +190,8 @@ pub struct Outcome {
     pub balance: Balance,
     /// The last ledger.
     pub ledger: Ledger,
+    /// How the launch came out.
+    pub launching: Launching,
     /// The first limit that it exceeded, if it did.
     pub exceeded: Option<Excess>,
     /// The segments that broke, in order.
@@ -337,8 +340,8 @@ impl Run<'_> {
 
     fn outcome(&self, stopped: Option<StepError>) -> Outcome {
         let (balance, ledger, exceeded) = (self.record.balance(), self.record.ledger, self.record.exceeded);
-        let breaks = self.breaks.clone();
-        Outcome { steps: self.step, end_time: self.time(), balance, ledger, exceeded, breaks, stopped }
+        let (breaks, launching) = (self.breaks.clone(), self.net.launching());
+        Outcome { steps: self.step, end_time: self.time(), balance, ledger, launching, exceeded, breaks, stopped }
     }
 }
 

@@ -15,6 +15,7 @@ use crate::limits::Excess;
 use crate::simulate::Schedule;
 use crate::system::System;
 use crate::time::attached::Turning;
+use crate::time::launching::Launching;
 
 /// What moves, by node: a [`Stepper`](crate::time::step::Stepper) started from it computes the same bits as the one it
 /// was taken from.
@@ -28,6 +29,8 @@ pub struct Motion {
     pub extrapolated: Vec<DVec3>,
     /// How rigid bodies turn, (bodies,).
     pub turning: Vec<Turning>,
+    /// Who is held by a launcher, in a tube, free.
+    pub launching: Launching,
     /// Steps taken.
     pub step: u64,
     /// What segments remember, and which are broken; those that break in this step are still whole.
@@ -77,7 +80,7 @@ impl Snapshot {
     /// # Errors
     /// [`SnapshotError`] where it is a snapshot of something else.
     pub fn check(&self, system: &System, schedule: &Schedule) -> Result<(), SnapshotError> {
-        let Motion { position, half_step_velocity, extrapolated, turning, step, ropes } = &self.motion;
+        let Motion { position, half_step_velocity, extrapolated, turning, launching, step, ropes } = &self.motion;
         let RopeState { memory, broken } = ropes;
         let (nodes, segments) = (system.mass().len(), system.segments().len());
         let arrays = [
@@ -87,6 +90,7 @@ impl Snapshot {
             ("rotations of bodies", turning.len(), system.bodies().len()),
             ("segments", broken.len(), segments),
             ("segments that remember", memory.len(), if system.remembers() { segments } else { 0 }),
+            ("launched nodes", launching.nodes.len(), system.launchers().len()),
         ];
         if let Some((what, found, expected)) = arrays.into_iter().find(|(_, found, expected)| found != expected) {
             return Err(SnapshotError::Shape { what, found, expected });

@@ -11,6 +11,7 @@ use crate::forces::hinge::Hinge;
 use crate::forces::law::Law;
 use crate::forces::load::Load;
 use crate::forces::membrane::Membrane;
+use crate::launcher::Launcher;
 use crate::layout::Layout;
 
 /// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6) unless the law
@@ -67,6 +68,7 @@ pub struct System {
     loads: Vec<Load>,
     bodies: Vec<Body>,
     drives: Vec<Drive>,
+    launchers: Vec<Launcher>,
     environment: Environment,
     layout: Layout,
 }
@@ -96,6 +98,8 @@ pub struct SystemParts {
     pub bodies: Vec<Body>,
     /// Nodes that are moved along paths; they are held as well.
     pub drives: Vec<Drive>,
+    /// What holds nodes and throws them.
+    pub launchers: Vec<Launcher>,
     /// Gravity and damping.
     pub environment: Environment,
 }
@@ -154,7 +158,7 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// A load, a body or a drive names a node that it cannot have.
+    /// A load, a body, a drive or a launcher names a node that it cannot have.
     #[error("{what} {index} has node {node}, which {why}")]
     Attached {
         /// What names it.
@@ -263,12 +267,13 @@ impl SystemParts {
             loads: self.loads,
             bodies: self.bodies,
             drives: self.drives,
+            launchers: self.launchers,
             environment: self.environment,
             layout,
         })
     }
 
-    /// That loads, bodies and drives have nodes of the right kind, and values that can be computed with.
+    /// That loads, bodies, drives and launchers have nodes of the right kind, and values that can be computed with.
     fn check_attached(&self) -> Result<(), SystemError> {
         let nodes = self.mass.len();
         let wrong = |what, index, node, why| Err(SystemError::Attached { what, index, node, why });
@@ -305,6 +310,16 @@ impl SystemParts {
             let finite = drive.path.iter().all(|(time, place)| time.is_finite() && place.is_finite());
             if drive.node >= nodes || !self.held[drive.node] || drive.path.is_empty() || !(ascending && finite) {
                 return wrong("drive", index, drive.node, "is not held, or whose path does not go forward in time");
+            }
+        }
+        let mut launched = vec![false; nodes];
+        for (index, launcher) in self.launchers.iter().enumerate() {
+            let node = launcher.node;
+            if node >= nodes || self.held[node] || taken[node] || std::mem::replace(&mut launched[node], true) {
+                return wrong("launcher", index, node, "does not exist, is held, carried or launched twice");
+            }
+            if let Some(why) = launcher.fault() {
+                return wrong("launcher", index, node, why);
             }
         }
         Ok(())
@@ -380,6 +395,11 @@ impl System {
     /// Nodes that are moved along paths.
     pub fn drives(&self) -> &[Drive] {
         &self.drives
+    }
+
+    /// What holds nodes and throws them.
+    pub fn launchers(&self) -> &[Launcher] {
+        &self.launchers
     }
 
     /// Gravity and damping.

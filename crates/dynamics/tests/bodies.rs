@@ -82,6 +82,48 @@ fn a_body_without_a_torque_turns_freely_while_it_falls() {
     assert!(outcome.balance.closure() < 1e-5, "{}", outcome.balance.closure());
 }
 
+/// A body on a rope that is tied above its centre is a double pendulum. In its slow mode, of small swings:
+///
+/// ```text
+/// | m a^2   m a l     |         | m g a   0     |       angles of rope and body; a the rope's length, l the arm
+/// | m a l   m l^2 + I |  w^2  = | 0       m g l |
+/// ```
+#[test]
+fn a_body_tied_above_its_centre_swings_below_its_rope_as_a_double_pendulum() {
+    let (mass, inertia, rope, arm) = (1.5, 0.02, 0.6, 0.2);
+    // (g - a w2)(g l - (l^2 + I/m) w2) = (a l) l w2^2, from the two lines over m a and m
+    let r2 = arm * arm + inertia / mass;
+    let (a, b, c) = (rope * r2 - rope * arm * arm, -GRAVITY * (r2 + rope * arm), GRAVITY * GRAVITY * arm);
+    let w2 = (-b - (b * b - 4.0 * a * c).sqrt()) / (2.0 * a);
+    let rope_angle = 0.01;
+    let body_angle = rope_angle * (GRAVITY - rope * w2) / (arm * w2);
+
+    let mut net = Net::default();
+    let above = net.node(DVec3::ZERO, DVec3::ZERO);
+    let along = |angle: f64| DVec3::new(libm::sin(angle), 0.0, -libm::cos(angle));
+    let stiff = Material { axial_stiffness: 1e5, mass_per_length: 0.0, damping_ratio: 0.0 };
+    let at_rest = rope / (1.0 + mass * GRAVITY / stiff.axial_stiffness);
+    let tie = net.node(rope * along(rope_angle), DVec3::ZERO);
+    net.segment(above, tie, at_rest, stiff);
+    let centre = net.state.position[tie] + arm * along(body_angle);
+    let turned = DQuat::from_rotation_y(-body_angle);
+    let moments = DVec3::new(inertia, inertia, 0.5 * inertia);
+    let body = net.body(centre, DVec3::ZERO, mass, moments, (turned, DVec3::ZERO), &[tie]);
+    net.parts.held[above] = true;
+    net.parts.environment = Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.0 };
+    let system = net.build();
+    let period = std::f64::consts::TAU / w2.sqrt();
+    let mut film = Film::default();
+    let schedule = Schedule::new(period, period / 400.0, 0.1 * step_limit(&system).dt);
+    let outcome = simulate(&system, &net.state, &schedule, 1, &mut film);
+    let swing = centre.x;
+    for (time, x, _) in film.frames {
+        let expected = swing * libm::cos(time * w2.sqrt());
+        assert!((x[body].x - expected).abs() < 2e-3 * swing, "{} instead of {expected} at {time} s", x[body].x);
+    }
+    assert!(outcome.balance.closure() < 1e-4, "{}", outcome.balance.closure());
+}
+
 /// A rod of 2 kg and 1 m between two ropes, one on each end.
 fn rod_between_ropes(velocity: DVec3, spin: DVec3) -> Net {
     let rope = Material { axial_stiffness: 2e4, mass_per_length: 0.05, damping_ratio: 0.05 };

@@ -9,6 +9,7 @@ use netcast_dynamics::forces::hinge::Hinge;
 use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
+use netcast_dynamics::launcher::{Curve, Launcher, Means, Push, Tube};
 use netcast_dynamics::time::readable::Readable;
 use netcast_dynamics::time::step::{Engine, Stepper, Vectors};
 use netcast_dynamics::time::step_size::step_limit;
@@ -70,6 +71,19 @@ fn attach(net: &mut nets::Net, driven: usize) {
     net.parts.hinges = vec![Hinge::new([0, 1, 2, centre], flat, 0.5, 1e-4).unwrap()];
     let from = net.state.position[driven];
     net.parts.drives = vec![Drive { node: driven, path: vec![(0.0, from), (0.01, from + DVec3::new(0.1, 0.2, 0.0))] }];
+    launch(net, centre, (0..nodes).find(|node| *node != driven && !ties.contains(node)));
+}
+
+/// The body from a tube, and another node that is let go.
+fn launch(net: &mut nets::Net, body: usize, other: Option<usize>) {
+    let push = Push::OverStroke(Curve(vec![(0.0, 3e3), (0.01, 2e3)]));
+    let tube = Tube { breech: net.state.position[body], direction: DVec3::Y, stroke: 0.01, push };
+    net.state.velocity[body] = DVec3::ZERO;
+    net.parts.launchers = vec![Launcher { node: body, at: 1e-3, by: Means::Tube(tube) }];
+    if let Some(node) = other {
+        net.state.velocity[node] = DVec3::ZERO;
+        net.parts.launchers.push(Launcher { node, at: 2e-3, by: Means::Velocity(DVec3::new(3.0, -4.0, 10.0)) });
+    }
 }
 
 proptest! {

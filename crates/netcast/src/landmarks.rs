@@ -1,8 +1,8 @@
 //! What a model's nodes and segments mean to who measures them.
 
 use glam::DVec3;
-use netcast_results::{BodyKind, BodyMark, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
-use netcast_scenario::body::Solid;
+use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
+use netcast_scenario::body::Shape;
 use netcast_scenario::lower::{Model, PlacedBody, Role};
 use netcast_webs::Class;
 
@@ -95,9 +95,11 @@ fn body_mark(body: &PlacedBody) -> BodyMark {
         Role::Payload => BodyKind::Payload,
         Role::Sensor => BodyKind::Sensor,
     };
-    let size_m = match body.solid {
-        Solid::Cylinder { diameter_m, height_m, .. } => Some([diameter_m, height_m]),
-        Solid::Particle { .. } => None,
+    let shape = match body.solid.shape {
+        Shape::Cylinder { diameter_m, height_m } => BodyShape::Cylinder { diameter_m, height_m },
+        Shape::Sphere { diameter_m } => BodyShape::Sphere { diameter_m },
+        Shape::Box { size_m } => BodyShape::Box { size_m },
+        Shape::Particle => BodyShape::Particle,
     };
-    BodyMark { kind, node: body.node, size_m }
+    BodyMark { kind, node: body.node, shape, rigid: body.rigid }
 }

@@ -18,6 +18,7 @@ use netcast_scenario::{Diagnostics, Document};
 
 use crate::inputs::Inputs;
 use crate::landmarks::landmarks;
+use crate::launched::launched;
 
 /// How a run is carried out; nothing here changes its results.
 #[derive(Debug, Clone, PartialEq)]
@@ -149,7 +150,8 @@ fn fields_every(model: &Model) -> u64 {
 fn written_bytes(model: &Model, schedule: &Schedule) -> f64 {
     let (nodes, segments) = (model.system.mass().len() as f64, model.system.segments().len() as f64);
     let frames = schedule.count as f64 / (schedule.steps_per_record * fields_every(model)) as f64 + 1.0;
-    2.0 * frames * (1.0 + 6.0 * nodes + segments) * size_of::<f64>() as f64
+    let bodies = model.system.bodies().len() as f64;
+    2.0 * frames * (1.0 + 6.0 * nodes + segments + 4.0 * bodies) * size_of::<f64>() as f64
 }
 
 /// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so,
@@ -350,6 +352,7 @@ impl Ended<'_> {
                 limited_by: model.limited_by(),
                 lifted_by: model.step_lift(),
             },
+            launch: launched(model, &outcome),
             opening: recording.opening,
             points: recording.points,
             tension: recording.tension,

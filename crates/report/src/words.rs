@@ -21,6 +21,7 @@ pub fn words(summary: &Value) -> Vec<String> {
         Some(closure) if closure > CAME_APART => &[unfinished, energy],
         _ => &[
             unfinished,
+            launch,
             opening,
             effective_opening,
             target,
@@ -47,6 +48,46 @@ const CAME_APART: f64 = 0.5;
 fn unfinished(summary: &Value) -> Option<String> {
     let said = "The run stopped before its end: what follows covers the time up to there.";
     (summary["finished"].as_bool() == Some(false)).then(|| said.to_owned())
+}
+
+/// What a launch comes to that was not given: muzzle speeds and recoil, delays, spin.
+fn launch(summary: &Value) -> Option<String> {
+    let launch = &summary["launch"];
+    let departures: Vec<&Value> = launch["tractors"].as_object()?.values().collect();
+    let of_each = |key: &str| departures.iter().filter_map(|one| one[key].as_f64()).collect::<Vec<f64>>();
+    let (speeds, times) = (of_each("speed_m_s"), of_each("time_s"));
+    let left = match (speeds.len(), departures.len()) {
+        (left, all) if left < all => format!("{left} of {all} tractors have left"),
+        _ => "The tractors left".to_owned(),
+    };
+    let [speed, time_of] = [&speeds, &times].map(|values| {
+        let least = values.iter().copied().reduce(f64::min)?;
+        Some((least, values.iter().copied().fold(least, f64::max)))
+    });
+    let range = |(least, most): (f64, f64), write: fn(f64) -> String| match write(least) == write(most) {
+        true => write(least),
+        false => format!("{} to {}", write(least), write(most)),
+    };
+    let spin = launch["spin_rad_s"].as_f64().filter(|spin| *spin != 0.0);
+    let is_plain = spin.is_none() && launch["recoil"].is_null() && time_of.is_none_or(|(_, latest)| latest == 0.0);
+    if is_plain {
+        return None;
+    }
+    let mut told = left;
+    if let (Some(speed), Some(times)) = (speed, time_of) {
+        told += &format!(" at {} m/s", range(speed, significant));
+        if times.1 > 0.0 {
+            told += &format!(", {} after the start", range(times, time));
+        }
+    }
+    if let Some(spin) = spin {
+        told += &format!(", all turning at {} rad/s", significant(spin));
+    }
+    let recoil = &launch["recoil"];
+    if let (Some(peak), Some(impulse)) = (recoil["peak_n"].as_f64(), recoil["impulse_n_s"].as_f64()) {
+        told += &format!("; the recoil is up to {}, {} N s in all", with_prefix(peak, "N"), significant(impulse));
+    }
+    Some(told + ".")
 }
 
 fn opening(summary: &Value) -> Option<String> {
@@ -365,5 +406,25 @@ mod tests {
             words(&summary)[1],
             "At least 80 % open from 0.112 s to 0.193 s, its longest spell; 0.120 s in all."
         );
+    }
+
+    #[test]
+    fn a_launch_is_told_where_it_is_more_than_its_speed() {
+        let one = |speed: f64, time: f64| json!({"speed_m_s": speed, "time_s": time, "angle_rad": 0.3});
+        let mut launch =
+            json!({"spin_rad_s": 0.0, "tractors": {"1": one(50.0, 0.0), "2": one(50.0, 0.0)}, "recoil": null});
+        let told = |launch: &Value| super::launch(&json!({ "launch": launch }));
+        assert_eq!(told(&launch), None);
+        assert_eq!(told(&Value::Null), None);
+        launch["spin_rad_s"] = json!(20.0);
+        assert_eq!(told(&launch).unwrap(), "The tractors left at 50.0 m/s, all turning at 20.0 rad/s.");
+        launch = json!({
+            "spin_rad_s": 0.0,
+            "tractors": {"1": one(31.0, 0.02), "2": one(33.0, 0.03), "3": {"speed_m_s": null, "time_s": null}},
+            "recoil": {"peak_n": 4500.0, "impulse_n_s": 95.0},
+        });
+        let expected = "2 of 3 tractors have left at 31.0 to 33.0 m/s, 0.020 s to 0.030 s after the start; the recoil is up to \
+                        4.50 kN, 95.0 N s in all.";
+        assert_eq!(told(&launch).unwrap(), expected);
     }
 }

@@ -7,7 +7,7 @@ use gif::{DecodeOptions, DisposalMethod, Repeat};
 use glam::DVec3;
 use netcast_report::{ReportError, write_pictures};
 use netcast_results::{
-    BodyKind, BodyMark, FieldsTopology, FieldsWriter, Group, Landmark, Landmarks, LinkClass, NamedRope,
+    BodyKind, BodyMark, BodyShape, FieldsTopology, FieldsWriter, Group, Landmark, Landmarks, LinkClass, NamedRope,
 };
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::{Options, Tree};
@@ -24,7 +24,12 @@ const WHITE: [u8; 3] = [255; 3];
 /// A square of four ropes, 2 m wide when flat, tractors of 0.2 m at its corners, its middle at the mean of them.
 fn landmarks() -> Landmarks {
     let corners: Vec<usize> = (0..4).collect();
-    let tractor = |node| BodyMark { kind: BodyKind::Tractor, node, size_m: Some([0.2, 0.3]) };
+    let tractor = |node| BodyMark {
+        kind: BodyKind::Tractor,
+        node,
+        shape: BodyShape::Cylinder { diameter_m: 0.2, height_m: 0.3 },
+        rigid: None,
+    };
     Landmarks {
         axis: DVec3::Z,
         outline: corners.iter().map(|&corner| vec![corner]).collect(),
@@ -71,12 +76,13 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
         classes: vec![0; 4],
         class_names: vec!["outline".into()],
         labels: Vec::new(),
+        bodies: Vec::new(),
     };
     let mut fields = FieldsWriter::new(topology).unwrap();
     for (frame, width) in widths.iter().enumerate() {
         let corner = |x: f64, y: f64| DVec3::new(width * x, width * y, 0.1 * frame as f64);
         let positions = [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0)];
-        fields.push(frame as f64 * 0.01, &positions, &[DVec3::ZERO; 4], &TENSIONS).unwrap();
+        fields.push(frame as f64 * 0.01, &positions, &[DVec3::ZERO; 4], &TENSIONS, &[]).unwrap();
     }
     fields.finish(&folder.path().join("fields.vtkhdf")).unwrap();
     landmarks().write(&folder.path().join("landmarks.json")).unwrap();
@@ -332,12 +338,13 @@ fn large_net(meshes: usize, pieces: usize) -> TempDir {
         segments,
         class_names: vec!["outline".into()],
         labels: Vec::new(),
+        bodies: Vec::new(),
     };
     let mut fields = FieldsWriter::new(topology).unwrap();
     let still = vec![DVec3::ZERO; points.len()];
     for frame in 0..8 {
         let wave = |point: &DVec3| *point + DVec3::Z * (0.3 * point.x + f64::from(frame)).sin();
-        fields.push(f64::from(frame), &points.iter().map(wave).collect::<Vec<_>>(), &still, &tensions).unwrap();
+        fields.push(f64::from(frame), &points.iter().map(wave).collect::<Vec<_>>(), &still, &tensions, &[]).unwrap();
     }
     fields.finish(&folder.path().join("fields.vtkhdf")).unwrap();
     let bare = Landmarks { outline: Vec::new(), bodies: Vec::new(), points: Vec::new(), ..landmarks() };

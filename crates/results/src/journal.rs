@@ -4,9 +4,9 @@
 //! every whole frame is readable at any moment, and become `fields.vtkhdf` at the end of the run.
 //!
 //! ```text
-//! magic          "netcast fields 1"
+//! magic          "netcast fields 2"
 //! block          topology, by postcard
-//! block, ...     a frame: time, positions, velocities, tensions; f64, little-endian
+//! block, ...     a frame: time, positions, velocities, tensions, orientations; f64, little-endian
 //! ```
 //!
 //! Blocks carry their length and a checksum; see `sealed.rs`.
@@ -15,14 +15,14 @@ use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::tally::{Extent, Tally};
-use crate::vtkhdf::append_vectors;
+use crate::vtkhdf::{append_quaternions, append_vectors};
 use crate::{FieldsTopology, FieldsWriter, ResultError, sealed};
 
 /// The first bytes of a journal; the number is that of the format.
-const MAGIC: &[u8; 16] = b"netcast fields 1";
+const MAGIC: &[u8; 16] = b"netcast fields 2";
 
 /// Appends frames to a journal.
 #[derive(Debug)]
@@ -59,8 +59,8 @@ impl JournalWriter {
         Self { path: path.to_path_buf(), file: BufWriter::new(file), frame: Vec::new() }
     }
 
-    /// Appends a frame: time in s, positions in m, velocities in m/s, tensions in N, of as many nodes and segments as
-    /// the topology has.
+    /// Appends a frame: time in s, positions in m, velocities in m/s, tensions in N, orientations of rigid bodies, of as
+    /// many nodes, segments and bodies as the topology has.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -70,12 +70,14 @@ impl JournalWriter {
         positions: &[DVec3],
         velocities: &[DVec3],
         tensions: &[f64],
+        orientations: impl IntoIterator<Item = DQuat>,
     ) -> Result<(), ResultError> {
         self.frame.clear();
         self.frame.extend(time.to_le_bytes());
         append_vectors(&mut self.frame, positions);
         append_vectors(&mut self.frame, velocities);
         self.frame.extend(tensions.iter().flat_map(|tension| tension.to_le_bytes()));
+        append_quaternions(&mut self.frame, orientations);
         sealed::write(&mut self.file, &self.frame).map_err(ResultError::write(&self.path))
     }
 

@@ -98,8 +98,48 @@ pub struct BodyMark {
     pub kind: BodyKind,
     /// The node that it sits on.
     pub node: usize,
-    /// Its diameter and height, m; none for a particle.
-    pub size_m: Option<[f64; 2]>,
+    /// What it fills.
+    pub shape: BodyShape,
+    /// Which of the system's rigid bodies it is, whose orientations the fields have; none for a mass on a node, which is
+    /// drawn along the launch axis.
+    pub rigid: Option<usize>,
+}
+
+/// What a body fills; its height is along its z axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyShape {
+    /// A cylinder.
+    Cylinder {
+        /// Diameter, m.
+        diameter_m: f64,
+        /// Height, m.
+        height_m: f64,
+    },
+    /// A sphere.
+    Sphere {
+        /// Diameter, m.
+        diameter_m: f64,
+    },
+    /// A box.
+    Box {
+        /// Size along its axes x, y, z, m.
+        size_m: [f64; 3],
+    },
+    /// Nothing.
+    Particle,
+}
+
+impl BodyShape {
+    /// Its size along its axes x, y, z, m; 0 for a particle.
+    pub fn size_m(&self) -> [f64; 3] {
+        match *self {
+            Self::Cylinder { diameter_m, height_m } => [diameter_m, diameter_m, height_m],
+            Self::Sphere { diameter_m } => [diameter_m; 3],
+            Self::Box { size_m } => size_m,
+            Self::Particle => [0.0; 3],
+        }
+    }
 }
 
 /// The meanings of a system's nodes and segments.
@@ -219,7 +259,12 @@ mod tests {
             mouth_reach: vec![0.1 + 0.2, 2.0],
             groups: vec![Group { class: 0, rope: None }, Group { class: 1, rope: Some(0) }],
             ropes: vec![NamedRope { name: "rope".into(), strength: Some(1e4), knot_reduction: None }],
-            bodies: vec![BodyMark { kind: BodyKind::Tractor, node: 3, size_m: Some([0.1, 0.2]) }],
+            bodies: vec![BodyMark {
+                kind: BodyKind::Tractor,
+                node: 3,
+                shape: BodyShape::Cylinder { diameter_m: 0.1, height_m: 0.2 },
+                rigid: None,
+            }],
             ..Landmarks::default()
         };
         landmarks.write(&path).unwrap();

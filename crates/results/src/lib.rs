@@ -44,7 +44,7 @@ pub use comparison::Comparison;
 pub use error::ResultError;
 pub use folder::ResultFolder;
 pub use history::History;
-pub use landmarks::{BodyKind, BodyMark, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
+pub use landmarks::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
 pub use manifest::{Machine, Manifest};
 pub use recorder::{Checkpoints, Recorder, Recording};
 pub use recovery::recover;

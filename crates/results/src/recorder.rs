@@ -125,6 +125,7 @@ impl<'r> Recorder<'r> {
             classes: groups.iter().map(|&group| landmarks.groups[group].class as u32).collect(),
             class_names: class_names.iter().map(|c| c.to_string()).collect(),
             labels: labels.collect(),
+            bodies: system.bodies().iter().map(|body| body.centre as u32).collect(),
         };
         let of_web = system.mass().iter().zip(system.tractor());
         let web_mass: Vec<f64> = of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect();
@@ -245,7 +246,8 @@ impl<'r> Recorder<'r> {
         let Some(Kept { stream, .. }) = &mut self.kept else { return Ok(()) };
         stream.row(row)?;
         if self.measured.rows.is_multiple_of(self.fields_every) {
-            stream.fields().push(frame.time, frame.position, frame.velocity, frame.tension)?;
+            let orientations = frame.rotation.iter().map(|rotation| rotation.orientation);
+            stream.fields().push(frame.time, frame.position, frame.velocity, frame.tension, orientations)?;
         }
         stream.keep_up()
     }

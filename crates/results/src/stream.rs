@@ -131,7 +131,8 @@ pub fn bring_back(from: &Path, to: &Path) -> Result<(), ResultError> {
     let fields = read_fields(&from.join(folder::FIELDS))?;
     let mut journal = JournalWriter::create(&to.join(folder::FIELDS_PART), &fields.topology)?;
     for (frame, &time) in fields.times.iter().enumerate() {
-        journal.push(time, fields.positions(frame), fields.velocities(frame), fields.tensions(frame))?;
+        let orientations = fields.orientations(frame).iter().copied();
+        journal.push(time, fields.positions(frame), fields.velocities(frame), fields.tensions(frame), orientations)?;
     }
     journal.flush()
 }

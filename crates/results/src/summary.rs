@@ -27,6 +27,8 @@ pub struct Summary {
     pub model: Model,
     /// The time step.
     pub step: Step,
+    /// How the tractors were launched; none where nothing is.
+    pub launch: Option<Launch>,
     /// How far and how long the web opened.
     pub opening: Opening,
     /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
@@ -77,6 +79,41 @@ pub struct Step {
     pub limited_by: Option<String>,
     /// What would allow a larger one, in words.
     pub lifted_by: Option<String>,
+}
+
+/// How the tractors were launched, as meant and as chance had it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Launch {
+    /// Angular speed of all that is launched at the start, rad/s.
+    pub spin_rad_s: f64,
+    /// Each tractor's departure, by the number of its corner.
+    pub tractors: BTreeMap<u32, Departure>,
+    /// What the tubes push back with.
+    pub recoil: Option<Recoil>,
+}
+
+/// How a tractor left: its muzzle where it has a tube, else where it was stowed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Departure {
+    /// When, s; none where it never did.
+    pub time_s: Option<f64>,
+    /// Its speed then, m/s.
+    pub speed_m_s: Option<f64>,
+    /// Angle between its way and the launch axis, rad.
+    pub angle_rad: f64,
+}
+
+/// The push of all tubes together on what carries them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Recoil {
+    /// Largest force, N.
+    pub peak_n: f64,
+    /// When it occurred, s.
+    pub peak_time_s: f64,
+    /// Size of its impulse, N s.
+    pub impulse_n_s: f64,
+    /// Its impulse against the launch axis, N s.
+    pub axial_impulse_n_s: f64,
 }
 
 /// How far the web opened, and for how long.
@@ -302,6 +339,7 @@ impl Summary {
         }
         require_finite("model", &self.model)?;
         require_finite("step", &self.step)?;
+        require_finite("launch", &self.launch)?;
         require_finite("opening", &self.opening)?;
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;

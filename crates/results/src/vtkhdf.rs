@@ -11,6 +11,8 @@
 //!   CellData         tension (steps * segments)  N;  class (segments), stored once
 //!   Steps            Values (steps)  s, and where each step begins in the arrays above
 //! /netcast           class_names;  label_nodes, label_names: outside /VTKHDF, so ParaView passes over it
+//!                    body_nodes (bodies)  where the centres of rigid bodies are
+//!                    body_orientations (steps * bodies, 4)  from a body's axes to the world, quaternions x, y, z, w
 //! ```
 //!
 //! A cell has two points, and not a whole rope, because tension is a number a cell; where ropes run side by side it is
@@ -18,7 +20,7 @@
 
 use std::path::Path;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use hdf5_pure::{AttrValue, File, FileBuilder, FinishedGroup, GroupBuilder, make_f64_type};
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +28,7 @@ use crate::ResultError;
 
 const VECTOR_BYTES: usize = 3 * size_of::<f64>();
 const SCALAR_BYTES: usize = size_of::<f64>();
+const QUATERNION_BYTES: usize = 4 * size_of::<f64>();
 
 /// The kinds of cell of a `PolyData`, in the order of its offset columns; only lines are used here.
 const CELL_KINDS: [&str; 4] = ["Vertices", "Lines", "Polygons", "Strips"];
@@ -43,6 +46,8 @@ pub struct FieldsTopology {
     pub class_names: Vec<String>,
     /// Nodes that have a name, such as feature point B.
     pub labels: Vec<(u32, String)>,
+    /// The node at the centre of each rigid body.
+    pub bodies: Vec<u32>,
 }
 
 /// Takes the steps of a run one by one and writes them as one file at its end.
@@ -55,6 +60,7 @@ pub struct FieldsWriter {
     positions: Vec<u8>,
     velocities: Vec<u8>,
     tensions: Vec<u8>,
+    orientations: Vec<u8>,
 }
 
 impl FieldsWriter {
@@ -64,10 +70,12 @@ impl FieldsWriter {
     /// [`ResultError::Length`] where there is not one class a segment.
     pub fn new(topology: FieldsTopology) -> Result<Self, ResultError> {
         ResultError::length("link classes of the segments", topology.segments.len(), topology.classes.len())?;
-        Ok(Self { topology, times: Vec::new(), positions: Vec::new(), velocities: Vec::new(), tensions: Vec::new() })
+        let (times, [positions, velocities, tensions, orientations]) = Default::default();
+        Ok(Self { topology, times, positions, velocities, tensions, orientations })
     }
 
-    /// Appends a step: time in s, positions in m, velocities in m/s, and the tension of each segment in N.
+    /// Appends a step: time in s, positions in m, velocities in m/s, the tension of each segment in N, and the orientation
+    /// of each rigid body.
     ///
     /// # Errors
     /// [`ResultError::Length`] where an array does not fit the topology; nothing is appended then.
@@ -77,14 +85,17 @@ impl FieldsWriter {
         positions: &[DVec3],
         velocities: &[DVec3],
         tensions: &[f64],
+        orientations: &[DQuat],
     ) -> Result<(), ResultError> {
         ResultError::length("positions", self.topology.nodes, positions.len())?;
         ResultError::length("velocities", self.topology.nodes, velocities.len())?;
         ResultError::length("tensions", self.topology.segments.len(), tensions.len())?;
+        ResultError::length("orientations", self.topology.bodies.len(), orientations.len())?;
         self.times.push(time);
         append_vectors(&mut self.positions, positions);
         append_vectors(&mut self.velocities, velocities);
         self.tensions.extend(tensions.iter().flat_map(|tension| tension.to_le_bytes()));
+        append_quaternions(&mut self.orientations, orientations.iter().copied());
         Ok(())
     }
 
@@ -92,11 +103,13 @@ impl FieldsWriter {
     pub(crate) fn push_bytes(&mut self, frame: &[u8]) {
         let (time, frame) = frame.split_at(SCALAR_BYTES);
         let (positions, frame) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
-        let (velocities, tensions) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
+        let (velocities, frame) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
+        let (tensions, orientations) = frame.split_at(self.topology.segments.len() * SCALAR_BYTES);
         self.times.push(f64::from_le_bytes(time.try_into().expect("split at its size")));
         self.positions.extend_from_slice(positions);
         self.velocities.extend_from_slice(velocities);
         self.tensions.extend_from_slice(tensions);
+        self.orientations.extend_from_slice(orientations);
     }
 
     /// The time of each step so far, s.
@@ -118,7 +131,7 @@ impl FieldsWriter {
     }
 
     fn build(self) -> Result<FileBuilder, hdf5_pure::Error> {
-        let Self { topology, times, positions, velocities, tensions } = self;
+        let Self { topology, times, positions, velocities, tensions, orientations } = self;
         let (nodes, segments) = (topology.nodes, topology.segments.len());
 
         let mut file = FileBuilder::new();
@@ -150,7 +163,14 @@ impl FieldsWriter {
         vtk.add_group(steps);
         file.add_group(vtk.finish());
 
-        let names = names(file.create_group("netcast"), &topology)?;
+        let mut own = file.create_group("netcast");
+        if !topology.bodies.is_empty() {
+            own.create_dataset("body_nodes").with_u32_data(&topology.bodies);
+            let rows = (orientations.len() / QUATERNION_BYTES) as u64;
+            let dataset = own.create_dataset("body_orientations");
+            dataset.with_raw_data(make_f64_type(), orientations, 4 * rows).with_shape(&[rows, 4]);
+        }
+        let names = names(own, &topology)?;
         file.add_group(names);
         Ok(file)
     }
@@ -158,6 +178,10 @@ impl FieldsWriter {
 
 pub(crate) fn append_vectors(bytes: &mut Vec<u8>, vectors: &[DVec3]) {
     bytes.extend(vectors.iter().flat_map(|vector| vector.to_array()).flat_map(f64::to_le_bytes));
+}
+
+pub(crate) fn append_quaternions(bytes: &mut Vec<u8>, quaternions: impl IntoIterator<Item = DQuat>) {
+    bytes.extend(quaternions.into_iter().flat_map(|quaternion| quaternion.to_array()).flat_map(f64::to_le_bytes));
 }
 
 fn vector_dataset(group: &mut GroupBuilder, name: &str, bytes: Vec<u8>) {
@@ -224,13 +248,15 @@ pub struct Fields {
     positions: Vec<DVec3>,
     velocities: Vec<DVec3>,
     tensions: Vec<f64>,
+    orientations: Vec<DQuat>,
 }
 
 impl FieldsTopology {
     /// What it speaks of and does not have.
     pub(crate) fn fault(&self) -> Option<String> {
         let is_missing = |node: u32| node as usize >= self.nodes;
-        let ends = self.segments.iter().flatten().copied().find(|&node| is_missing(node));
+        let named = self.segments.iter().flatten().chain(&self.bodies);
+        let ends = named.copied().find(|&node| is_missing(node));
         let label = || self.labels.iter().map(|(node, _)| *node).find(|&node| is_missing(node));
         if let Some(node) = ends.or_else(label) {
             return Some(format!("it names node {node} of {}", self.nodes));
@@ -239,11 +265,13 @@ impl FieldsTopology {
         class.map(|class| format!("it names link class {class} of {}", self.class_names.len()))
     }
 
-    /// Bytes of one step: its time, a position and a velocity a node, a tension a segment. None where that is beyond
-    /// any memory.
+    /// Bytes of one step: its time, a position and a velocity a node, a tension a segment, an orientation a body. None
+    /// where that is beyond any memory.
     pub(crate) fn frame_bytes(&self) -> Option<usize> {
         let nodes = self.nodes.checked_mul(2 * VECTOR_BYTES)?;
-        self.segments.len().checked_mul(SCALAR_BYTES)?.checked_add(nodes)?.checked_add(SCALAR_BYTES)
+        let bodies = self.bodies.len().checked_mul(QUATERNION_BYTES)?;
+        let segments = self.segments.len().checked_mul(SCALAR_BYTES)?;
+        segments.checked_add(nodes)?.checked_add(bodies)?.checked_add(SCALAR_BYTES)
     }
 }
 
@@ -271,6 +299,14 @@ impl Fields {
     pub fn tensions(&self, step: usize) -> &[f64] {
         row(&self.tensions, step, self.topology.segments.len())
     }
+
+    /// The orientation of each rigid body at a step: from its axes to the world.
+    ///
+    /// # Panics
+    /// Where there is no such step; see `times`.
+    pub fn orientations(&self, step: usize) -> &[DQuat] {
+        row(&self.orientations, step, self.topology.bodies.len())
+    }
 }
 
 fn row<T>(values: &[T], step: usize, width: usize) -> &[T] {
@@ -294,7 +330,8 @@ fn read_arrays(path: &Path) -> Result<Fields, hdf5_pure::Error> {
     let file = File::open(path)?;
     let names = file.group("netcast")?;
     let present = names.datasets()?;
-    let strings = |name: &str| match present.iter().any(|dataset| dataset == name) {
+    let has = |name: &str| present.iter().any(|dataset| dataset == name);
+    let strings = |name: &str| match has(name) {
         true => names.dataset(name)?.read_string(),
         false => Ok(Vec::new()),
     };
@@ -311,6 +348,14 @@ fn read_arrays(path: &Path) -> Result<Fields, hdf5_pure::Error> {
         classes: file.dataset("VTKHDF/CellData/class")?.read_i32()?.iter().map(|&class| class as u32).collect(),
         class_names: strings("class_names")?,
         labels: label_nodes.into_iter().zip(label_names).collect(),
+        bodies: match has("body_nodes") {
+            true => names.dataset("body_nodes")?.read_u32()?,
+            false => Vec::new(),
+        },
+    };
+    let orientations = match has("body_orientations") {
+        true => names.dataset("body_orientations")?.read_f64()?,
+        false => Vec::new(),
     };
     Ok(Fields {
         topology,
@@ -318,6 +363,7 @@ fn read_arrays(path: &Path) -> Result<Fields, hdf5_pure::Error> {
         positions: vectors(&file, "VTKHDF/Points")?,
         velocities: vectors(&file, "VTKHDF/PointData/velocity")?,
         tensions: file.dataset("VTKHDF/CellData/tension")?.read_f64()?,
+        orientations: orientations.chunks_exact(4).map(DQuat::from_slice).collect(),
     })
 }
 
@@ -328,7 +374,7 @@ fn vectors(file: &File, path: &str) -> Result<Vec<DVec3>, hdf5_pure::Error> {
 
 /// What does not fit in a file that is whole as HDF5.
 fn inconsistency(fields: &Fields) -> Option<String> {
-    let Fields { topology, times, positions, velocities, tensions } = fields;
+    let Fields { topology, times, positions, velocities, tensions, orientations } = fields;
     let (nodes, segments, steps) = (topology.nodes, topology.segments.len(), times.len());
     // more than fits a memory is more than there is
     let lengths = [
@@ -336,6 +382,7 @@ fn inconsistency(fields: &Fields) -> Option<String> {
         ("velocity", steps.saturating_mul(nodes), velocities.len()),
         ("tension", steps.saturating_mul(segments), tensions.len()),
         ("class", segments, topology.classes.len()),
+        ("body_orientations", steps.saturating_mul(topology.bodies.len()), orientations.len()),
     ];
     let wrong = lengths.into_iter().find(|(_, expected, found)| expected != found);
     let wrong =
@@ -354,6 +401,7 @@ mod tests {
             classes: vec![1, 0, 1],
             class_names: vec!["outline".into(), "Zugseil ä".into()],
             labels: vec![(2, "B".into()), (0, "tractor 1".into())],
+            bodies: vec![3, 0],
         }
     }
 
@@ -366,11 +414,17 @@ mod tests {
         (vectors(0), vectors(1), (0..3).map(|segment| value(2, segment)).collect())
     }
 
+    /// Two orientations, different in every step.
+    fn turned(step: usize) -> [DQuat; 2] {
+        [1.0, 2.0].map(|rate| DQuat::from_rotation_x(rate * step as f64))
+    }
+
     fn write(path: &Path, topology: FieldsTopology, steps: usize) {
         let mut writer = FieldsWriter::new(topology).unwrap();
         for index in 0..steps {
             let (positions, velocities, tensions) = step(index);
-            writer.push(index as f64 * 1e-3, &positions, &velocities, &tensions).unwrap();
+            let orientations = if writer.topology.bodies.is_empty() { vec![] } else { turned(index).to_vec() };
+            writer.push(index as f64 * 1e-3, &positions, &velocities, &tensions, &orientations).unwrap();
         }
         writer.finish(path).unwrap();
     }
@@ -388,6 +442,7 @@ mod tests {
             assert_eq!(fields.positions(index), positions);
             assert_eq!(fields.velocities(index), velocities);
             assert_eq!(fields.tensions(index), tensions);
+            assert_eq!(fields.orientations(index), turned(index));
         }
     }
 
@@ -416,10 +471,11 @@ mod tests {
         let mut writer = FieldsWriter::new(topology()).unwrap();
         let (positions, velocities, tensions) = step(0);
         assert!(matches!(
-            writer.push(0.0, &positions[1..], &velocities, &tensions),
+            writer.push(0.0, &positions[1..], &velocities, &tensions, &turned(0)),
             Err(ResultError::Length { what: "positions", expected: 4, found: 3 })
         ));
-        assert!(writer.push(0.0, &positions, &velocities, &tensions[1..]).is_err());
+        assert!(writer.push(0.0, &positions, &velocities, &tensions[1..], &turned(0)).is_err());
+        assert!(writer.push(0.0, &positions, &velocities, &tensions, &turned(0)[1..]).is_err());
         assert_eq!(writer.steps(), 0);
         assert!(FieldsWriter::new(FieldsTopology { classes: vec![0], ..topology() }).is_err());
     }

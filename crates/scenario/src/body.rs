@@ -1,7 +1,10 @@
 //! `[payload.SHAPE]`, `[sensor.SHAPE]`, `[tractor.SHAPE]`: the solid bodies that the web carries.
+//!
+//! A body's own axes are x, y, z; its height lies along z, which in a tractor points the way it flies.
 
 use std::f64::consts::PI;
 
+use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +17,10 @@ use crate::quantity::{Density, Length, Mass};
 pub enum Body {
     /// A solid cylinder.
     Cylinder(Cylinder),
+    /// A solid sphere.
+    Sphere(Sphere),
+    /// A solid box.
+    Box(Cuboid),
     /// A mass without size.
     Particle(Particle),
 }
@@ -34,6 +41,36 @@ pub struct Cylinder {
     pub mass: Option<Mass<Positive>>,
 }
 
+/// A solid sphere. Its mass follows from its density, or is given instead.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("not" = {"required": ["density", "mass"]}))]
+pub struct Sphere {
+    /// Diameter, m.
+    pub diameter: Length<Positive>,
+    /// Density, kg/m^3. Default, where no mass is given: 2710 for a payload or sensor, 17700 for a tractor.
+    pub density: Option<Density<Positive>>,
+    /// Mass, kg, instead of the density.
+    pub mass: Option<Mass<Positive>>,
+}
+
+/// A solid box. Its mass follows from its density, or is given instead.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("not" = {"required": ["density", "mass"]}))]
+pub struct Cuboid {
+    /// Size along its x axis, m; in a tractor, away from the launch axis.
+    pub width: Length<Positive>,
+    /// Size along its y axis, m; in a tractor, round the launch axis.
+    pub depth: Length<Positive>,
+    /// Size along its z axis, m; in a tractor, the way it flies.
+    pub height: Length<Positive>,
+    /// Density, kg/m^3. Default, where no mass is given: 2710 for a payload or sensor, 17700 for a tractor.
+    pub density: Option<Density<Positive>>,
+    /// Mass, kg, instead of the density.
+    pub mass: Option<Mass<Positive>>,
+}
+
 /// A mass without size.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -42,15 +79,15 @@ pub struct Particle {
     pub mass: Mass<Positive>,
 }
 
-/// The size and density of a cylinder for which nothing is given.
+/// The density of a body, and the size of a cylinder, for which nothing is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct CylinderDefaults {
+pub(crate) struct BodyDefaults {
     diameter: Length<Positive>,
     height: Length<Positive>,
     density: Density<Positive>,
 }
 
-impl CylinderDefaults {
+impl BodyDefaults {
     /// A payload or sensor: aluminium.
     pub(crate) const PAYLOAD: Self =
         Self { diameter: Length::constant(0.06), height: Length::constant(0.066), density: Density::constant(2710.0) };
@@ -60,69 +97,119 @@ impl CylinderDefaults {
         Self { diameter: Length::constant(0.1), height: Length::constant(0.2), density: Density::constant(17700.0) };
 }
 
-/// A body with everything that was left out filled in, SI.
+/// What a body fills.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Solid {
-    /// A solid cylinder.
+pub enum Shape {
+    /// A cylinder about its z axis: diameter and height, m.
     Cylinder {
         /// Diameter, m.
         diameter_m: f64,
         /// Height, m.
         height_m: f64,
-        /// Mass, kg.
-        mass_kg: f64,
     },
-    /// A mass without size.
-    Particle {
-        /// Mass, kg.
-        mass_kg: f64,
+    /// A sphere.
+    Sphere {
+        /// Diameter, m.
+        diameter_m: f64,
     },
+    /// A box.
+    Box {
+        /// Size along its axes x, y, z, m.
+        size_m: [f64; 3],
+    },
+    /// Nothing.
+    Particle,
 }
 
-impl Solid {
+/// A body with everything that was left out filled in, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solid {
+    /// What it fills.
+    pub shape: Shape,
     /// Mass, kg.
-    pub fn mass_kg(&self) -> f64 {
-        match *self {
-            Self::Cylinder { mass_kg, .. } | Self::Particle { mass_kg } => mass_kg,
-        }
-    }
+    pub mass_kg: f64,
+}
 
+impl Shape {
     /// Volume, m^3; 0 for a particle.
     pub fn volume_m3(&self) -> f64 {
         match *self {
-            Self::Cylinder { diameter_m, height_m, .. } => cylinder_volume(diameter_m, height_m),
-            Self::Particle { .. } => 0.0,
+            Self::Cylinder { diameter_m, height_m } => PI / 4.0 * diameter_m * diameter_m * height_m,
+            Self::Sphere { diameter_m } => PI / 6.0 * diameter_m * diameter_m * diameter_m,
+            Self::Box { size_m: [x, y, z] } => x * y * z,
+            Self::Particle => 0.0,
+        }
+    }
+
+    /// Moments of inertia about its axes through its centre over its mass, m^2; none for a particle.
+    fn gyration_squared(&self) -> Option<DVec3> {
+        match *self {
+            Self::Cylinder { diameter_m: d, height_m: h } => {
+                let across = d * d / 16.0 + h * h / 12.0;
+                Some(DVec3::new(across, across, d * d / 8.0))
+            }
+            Self::Sphere { diameter_m: d } => Some(DVec3::splat(d * d / 10.0)),
+            Self::Box { size_m } => {
+                let [x, y, z] = size_m.map(|size| size * size / 12.0);
+                Some(DVec3::new(y + z, z + x, x + y))
+            }
+            Self::Particle => None,
+        }
+    }
+
+    /// How far it reaches from its centre along its z axis, m.
+    pub fn half_height_m(&self) -> f64 {
+        match *self {
+            Self::Cylinder { height_m, .. } => 0.5 * height_m,
+            Self::Sphere { diameter_m } => 0.5 * diameter_m,
+            Self::Box { size_m: [_, _, z] } => 0.5 * z,
+            Self::Particle => 0.0,
         }
     }
 }
 
-fn cylinder_volume(diameter: f64, height: f64) -> f64 {
-    PI / 4.0 * diameter * diameter * height
+impl Solid {
+    /// Moments of inertia about its axes through its centre, kg m^2; none for a particle.
+    pub fn inertia_kg_m2(&self) -> Option<DVec3> {
+        self.shape.gyration_squared().map(|squared| self.mass_kg * squared)
+    }
 }
 
 impl Body {
     /// The body with `defaults` for what was left out.
-    pub(crate) fn solid(&self, defaults: &CylinderDefaults) -> Solid {
-        match self {
-            Self::Particle(particle) => Solid::Particle { mass_kg: particle.mass.si() },
-            Self::Cylinder(cylinder) => {
-                let diameter_m = cylinder.diameter.unwrap_or(defaults.diameter).si();
-                let height_m = cylinder.height.unwrap_or(defaults.height).si();
-                let density = cylinder.density.unwrap_or(defaults.density).si();
-                let volume = cylinder_volume(diameter_m, height_m);
-                let mass_kg = cylinder.mass.map_or(density * volume, |mass| mass.si());
-                Solid::Cylinder { diameter_m, height_m, mass_kg }
+    pub(crate) fn solid(&self, defaults: &BodyDefaults) -> Solid {
+        let (shape, density, mass) = match self {
+            Self::Particle(particle) => (Shape::Particle, None, Some(particle.mass)),
+            Self::Cylinder(Cylinder { diameter, height, density, mass }) => {
+                let diameter_m = diameter.unwrap_or(defaults.diameter).si();
+                let height_m = height.unwrap_or(defaults.height).si();
+                (Shape::Cylinder { diameter_m, height_m }, *density, *mass)
             }
-        }
+            Self::Sphere(Sphere { diameter, density, mass }) => {
+                (Shape::Sphere { diameter_m: diameter.si() }, *density, *mass)
+            }
+            Self::Box(Cuboid { width, depth, height, density, mass }) => {
+                (Shape::Box { size_m: [width, depth, height].map(|size| size.si()) }, *density, *mass)
+            }
+        };
+        let density = density.unwrap_or(defaults.density).si();
+        let mass_kg = mass.map_or_else(|| density * shape.volume_m3(), |mass| mass.si());
+        Solid { shape, mass_kg }
     }
 
-    /// Writes the defaults of a cylinder out.
-    pub(crate) fn complete(&mut self, defaults: &CylinderDefaults) {
-        let Self::Cylinder(cylinder) = self else { return };
-        cylinder.diameter.get_or_insert(defaults.diameter);
-        cylinder.height.get_or_insert(defaults.height);
-        if cylinder.mass.is_none() {
-            cylinder.density.get_or_insert(defaults.density);
+    /// Writes out what `defaults` say.
+    pub(crate) fn complete(&mut self, defaults: &BodyDefaults) {
+        let (density, mass) = match self {
+            Self::Particle(_) => return,
+            Self::Cylinder(Cylinder { diameter, height, density, mass }) => {
+                diameter.get_or_insert(defaults.diameter);
+                height.get_or_insert(defaults.height);
+                (density, mass)
+            }
+            Self::Sphere(Sphere { density, mass, .. }) | Self::Box(Cuboid { density, mass, .. }) => (density, mass),
+        };
+        if mass.is_none() {
+            density.get_or_insert(defaults.density);
         }
     }
 }
@@ -144,14 +231,14 @@ impl Cylinder {
 mod tests {
     use super::*;
 
-    fn mass_kg(body: Body, defaults: &CylinderDefaults) -> f64 {
-        body.solid(defaults).mass_kg()
+    fn mass_kg(body: Body, defaults: &BodyDefaults) -> f64 {
+        body.solid(defaults).mass_kg
     }
 
     #[test]
     fn the_papers_payload_and_tractor_weigh_what_they_should() {
-        let payload = mass_kg(Body::Cylinder(Cylinder::default()), &CylinderDefaults::PAYLOAD);
-        let tractor = mass_kg(Body::Cylinder(Cylinder::default()), &CylinderDefaults::TRACTOR);
+        let payload = mass_kg(Body::Cylinder(Cylinder::default()), &BodyDefaults::PAYLOAD);
+        let tractor = mass_kg(Body::Cylinder(Cylinder::default()), &BodyDefaults::TRACTOR);
         assert!((payload - 0.506).abs() < 0.0005, "{payload}");
         assert!((tractor - 27.80).abs() < 0.005, "{tractor}");
     }
@@ -160,7 +247,48 @@ mod tests {
     fn a_given_mass_replaces_the_density() {
         let given = Cylinder { mass: Some(Mass::constant(3.0)), ..Cylinder::default() };
         let base = Cylinder { density: Some(Density::constant(1000.0)), ..Cylinder::default() };
-        assert_eq!(mass_kg(Body::Cylinder(given.over(&base)), &CylinderDefaults::TRACTOR), 3.0);
+        assert_eq!(mass_kg(Body::Cylinder(given.over(&base)), &BodyDefaults::TRACTOR), 3.0);
         assert_eq!(given.over(&base).density, None);
+    }
+
+    /// The integral of the square of the distance from each axis over the volume, by brute force.
+    fn summed(shape: Shape) -> (f64, DVec3) {
+        const N: i32 = 60;
+        let (half, inside): (DVec3, Box<dyn Fn(DVec3) -> bool>) = match shape {
+            Shape::Cylinder { diameter_m: d, height_m: h } => {
+                (0.5 * DVec3::new(d, d, h), Box::new(move |x| x.truncate().length() < 0.5 * d))
+            }
+            Shape::Sphere { diameter_m: d } => (DVec3::splat(0.5 * d), Box::new(move |x| x.length() < 0.5 * d)),
+            Shape::Box { size_m } => (0.5 * DVec3::from_array(size_m), Box::new(|_| true)),
+            Shape::Particle => panic!("it fills nothing"),
+        };
+        let (mut volume, mut moments) = (0.0, DVec3::ZERO);
+        let cell = 8.0 * half.element_product() / f64::from(N * N * N);
+        let middle = |i: i32| (f64::from(2 * i + 1) / f64::from(N)) - 1.0;
+        for (i, j, k) in (0..N).flat_map(|i| (0..N).flat_map(move |j| (0..N).map(move |k| (i, j, k)))) {
+            let x = half * DVec3::new(middle(i), middle(j), middle(k));
+            if inside(x) {
+                let s = x * x;
+                volume += cell;
+                moments += cell * DVec3::new(s.y + s.z, s.z + s.x, s.x + s.y);
+            }
+        }
+        (volume, moments)
+    }
+
+    #[test]
+    fn volume_and_inertia_are_those_of_the_shape_summed_piece_by_piece() {
+        let shapes = [
+            Shape::Cylinder { diameter_m: 0.1, height_m: 0.3 },
+            Shape::Sphere { diameter_m: 0.2 },
+            Shape::Box { size_m: [0.1, 0.2, 0.4] },
+        ];
+        for shape in shapes {
+            let (volume, moments) = summed(shape);
+            let solid = Solid { shape, mass_kg: 7.0 };
+            assert!((shape.volume_m3() / volume - 1.0).abs() < 5e-3, "{shape:?}");
+            let ratio = solid.inertia_kg_m2().unwrap() / (7.0 / volume * moments);
+            assert!((ratio - DVec3::ONE).abs().max_element() < 1e-2, "{shape:?}: {ratio}");
+        }
     }
 }

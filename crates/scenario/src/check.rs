@@ -130,6 +130,12 @@ impl Check<'_> {
 
     fn array(&mut self, elements: &[Node], schema: &Schema, path: &Path) {
         let Some(items) = schema.get("items").and_then(Json::as_object) else { return };
+        let count = |keyword: &str| schema.get(keyword).and_then(Json::as_u64);
+        if let Some(count) = count("minItems").filter(|least| Some(*least) == count("maxItems"))
+            && elements.len() as u64 != count
+        {
+            self.at_value(path, format!("expected {count} values, found {}", elements.len()), None);
+        }
         for (index, element) in elements.iter().enumerate() {
             self.value(element, items, &path.index(index));
         }

@@ -1,5 +1,5 @@
 //! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`, the curves
-//! of `[rope.law.table]`. All in SI.
+//! of `[rope.law.table]`, the force of `[launch.tube]`. All in SI.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroU32;
@@ -196,6 +196,41 @@ fn read_rope_table(written: &Written, path: &Path, found: &mut Vec<Diagnostic>) 
     let unloading = unloads.then(|| column(2));
     let law = Tabulated::new(&column(0), &column(1), unloading.as_deref());
     law.map_err(|error| found.push(table.at_row(error.row().unwrap_or(0), &error.to_string()))).ok()
+}
+
+/// A row of the file of a force in `[launch.tube]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PushRow {
+    /// Way in the tube, m, or time since firing, s.
+    pub at: f64,
+    /// Force, N.
+    pub force_n: f64,
+}
+
+/// Reads the file of the force in `[launch.tube]`; none where it has none or the file cannot be read.
+pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<PushRow>> {
+    let named = [("force_over_stroke", "stroke"), ("force_over_time", "time")];
+    let mut read = |(key, column): (&str, &str)| {
+        let path = format!("launch.tube.{key}.file");
+        let mut table = CsvTable::read(written, &path, &[column, "force"], &[], found)?;
+        if table.is_empty() {
+            found.push(table.whole("no points"));
+        }
+        let mut last = None;
+        Some(table.rows(found, |cells| {
+            let (at, force) = (cells.number(column), cells.number("force"));
+            let row = PushRow { at: at?, force_n: force? };
+            if row.at < 0.0 || last.is_some_and(|last| row.at <= last) {
+                cells.fault_in(column, format!("{column}: expected more than in the line before, from 0 on"), None);
+            }
+            if row.force_n < 0.0 {
+                cells.fault_in("force", "force: a launcher pushes, and does not pull".into(), None);
+            }
+            last = Some(row.at);
+            Some(row)
+        }))
+    };
+    named.into_iter().find_map(&mut read)
 }
 
 /// The ids of the nodes, each with its line and its place in the file.

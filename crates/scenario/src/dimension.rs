@@ -207,7 +207,7 @@ kinds! {
     Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0];
     Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0];
     Radian: "angle", "an angle", "rad", "30 deg", [0, 0, 0, 1];
-    RadianPerSecond: "angular speed", "an angular speed", "rad/s", "3 rad/s", [0, 0, -1, 1];
+    RadianPerSecond: "angular speed", "an angular speed", "rad/s", "20 rad/s", [0, 0, -1, 1];
 }
 
 #[cfg(test)]

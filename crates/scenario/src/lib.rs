@@ -11,6 +11,7 @@
 pub mod body;
 pub mod canopy;
 mod check;
+pub mod cover;
 pub mod csv_files;
 mod csv_table;
 pub mod diagnostic;

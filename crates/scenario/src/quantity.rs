@@ -47,6 +47,8 @@ pub type Force<I = Any> = Quantity<unit::Newton, I>;
 pub type Pressure<I = Any> = Quantity<unit::Pascal, I>;
 /// An angle, rad.
 pub type Angle<I = Any> = Quantity<unit::Radian, I>;
+/// An angular speed, rad/s.
+pub type AngularSpeed<I = Any> = Quantity<unit::RadianPerSecond, I>;
 
 impl<U: Measured, I: Within> Quantity<U, I> {
     /// A quantity of `si` in SI.

@@ -115,6 +115,9 @@ fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnosti
     }
 }
 
+/// The shapes that a tractor may have.
+const SHAPES: [&str; 4] = ["cylinder", "sphere", "box", "particle"];
+
 fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::default().key("tractors");
     let Some(tractors) = written.tree.get(&path).and_then(|node| node.value.as_array()) else { return };
@@ -129,8 +132,12 @@ fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
             }
             seen.push(*corner);
         }
-        let has_body = tractor.get("cylinder").is_some() || tractor.get("particle").is_some();
-        if !has_body && table_at(written, "tractor").is_none() {
+        let bodies: Vec<&str> = tractor.keys().filter(|key| SHAPES.contains(key)).collect();
+        if let [first, other, ..] = bodies[..] {
+            let message = format!("expected only one of `{first}` and `{other}`");
+            found.push(written.at_key(&here.key(other), message));
+        }
+        if bodies.is_empty() && table_at(written, "tractor").is_none() {
             let help = "add [tractor.cylinder] or [tractor.particle] for all, or [tractors.cylinder] for this one";
             found.push(written.at_value(&here, "there is no tractor at this corner").with_help(help));
         }

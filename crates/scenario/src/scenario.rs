@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::body::{Body, CylinderDefaults, Solid};
+use crate::body::{Body, BodyDefaults, Solid};
 use crate::canopy::Canopy;
+use crate::cover::Cover;
 use crate::environment::Environment;
 use crate::hold::Hold;
 use crate::launch::Launch;
@@ -55,6 +56,9 @@ pub struct Scenario {
     pub stow: Option<Stow>,
     /// How the tractors are thrown. Left out: nothing is launched.
     pub launch: Option<Launch>,
+    /// What holds the web until it opens.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub covers: Vec<Cover>,
     /// Nodes that stay put.
     pub hold: Option<Hold>,
     /// Feature points by name, as node ids: `B = "n91"`.
@@ -76,24 +80,18 @@ pub struct Scenario {
 impl Scenario {
     /// The payload on each inner canopy.
     pub fn payload_solid(&self) -> Option<Solid> {
-        self.payload.as_ref().map(|body| body.solid(&CylinderDefaults::PAYLOAD))
+        self.payload.as_ref().map(|body| body.solid(&BodyDefaults::PAYLOAD))
     }
 
     /// The sensor on the centre canopy.
     pub fn sensor_solid(&self) -> Option<Solid> {
-        self.sensor.as_ref().map(|body| body.solid(&CylinderDefaults::PAYLOAD))
+        self.sensor.as_ref().map(|body| body.solid(&BodyDefaults::PAYLOAD))
     }
 
     /// The tractor at a corner, from 1: as `[tractor]` has it, changed by its entry in `[[tractors]]`.
     pub fn tractor_solid(&self, corner: u32) -> Option<Solid> {
-        let own = self.tractor_override(corner).and_then(|tractor| {
-            let cylinder = tractor.cylinder.as_ref().map(|cylinder| match &self.tractor {
-                Some(Body::Cylinder(base)) => Body::Cylinder(cylinder.over(base)),
-                _ => Body::Cylinder(cylinder.clone()),
-            });
-            cylinder.or_else(|| tractor.particle.clone().map(Body::Particle))
-        });
-        own.as_ref().or(self.tractor.as_ref()).map(|body| body.solid(&CylinderDefaults::TRACTOR))
+        let own = self.tractor_override(corner).and_then(|tractor| tractor.body(self.tractor.as_ref()));
+        own.as_ref().or(self.tractor.as_ref()).map(|body| body.solid(&BodyDefaults::TRACTOR))
     }
 
     /// How the tractor at a corner, from 1, is launched; none where nothing says so.
@@ -108,7 +106,7 @@ impl Scenario {
         }
     }
 
-    fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
+    pub(crate) fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
         self.tractors.iter().find(|tractor| tractor.corner.get() == corner)
     }
 
@@ -126,6 +124,7 @@ impl Scenario {
         if let Some(Stow::File(file)) = &mut self.stow {
             files.push(&mut file.path);
         }
+        files.extend(self.launch.as_mut().and_then(Launch::file_mut));
         files
     }
 
@@ -141,10 +140,10 @@ impl Scenario {
             canopy.complete();
         }
         for body in [&mut self.payload, &mut self.sensor].into_iter().flatten() {
-            body.complete(&CylinderDefaults::PAYLOAD);
+            body.complete(&BodyDefaults::PAYLOAD);
         }
         if let Some(body) = &mut self.tractor {
-            body.complete(&CylinderDefaults::TRACTOR);
+            body.complete(&BodyDefaults::TRACTOR);
         }
     }
 }

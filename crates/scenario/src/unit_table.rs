@@ -49,6 +49,7 @@ const UNITS: &[Unit] = &[
     irrational("deg", PI / 180.0, [0, 0, 0, 1]),
     irrational("°", PI / 180.0, [0, 0, 0, 1]),
     irrational("rev", 2.0 * PI, [0, 0, 0, 1]),
+    irrational("rpm", PI / 30.0, [0, 0, -1, 1]),
     unit("%", 1, -2, [0, 0, 0, 0]),
     unit("t", 1, 3, [0, 1, 0, 0]),
     unit("min", 60, 0, [0, 0, 1, 0]),

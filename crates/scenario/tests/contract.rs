@@ -3,7 +3,7 @@
 mod common;
 
 use common::{CONTRACT, parse};
-use netcast_scenario::body::Solid;
+use netcast_scenario::body::{Shape, Solid};
 use netcast_scenario::canopy::Canopy;
 use netcast_scenario::rope::Damping;
 use netcast_scenario::stow::Stow;
@@ -25,10 +25,12 @@ fn it_means_what_it_says() {
     assert_eq!((canopy.elastic_modulus.si(), canopy.damping_ratio.si()), (90e9, 0.05));
     let traction_rope = scenario.traction_rope.as_ref().unwrap();
     assert_eq!((traction_rope.length.si(), traction_rope.count.get()), (1.0355, 1));
-    let Some(Solid::Cylinder { diameter_m, height_m, mass_kg }) = scenario.tractor_solid(1) else { panic!() };
+    let Some(Solid { shape: Shape::Cylinder { diameter_m, height_m }, mass_kg }) = scenario.tractor_solid(1) else {
+        panic!()
+    };
     assert_eq!((diameter_m, height_m), (0.1, 0.2));
     assert!((mass_kg - 27.80).abs() < 0.005);
-    assert!((scenario.payload_solid().unwrap().mass_kg() - 0.506).abs() < 0.0005);
+    assert!((scenario.payload_solid().unwrap().mass_kg - 0.506).abs() < 0.0005);
     let Some(Stow::Bag(bag)) = &scenario.stow else { panic!() };
     assert_eq!((bag.radius.si(), bag.depth, bag.tractor_radius), (0.25, None, None));
     let launch = scenario.tractor_launch(6).unwrap();
@@ -88,10 +90,10 @@ mass = \"5 kg\"
     );
     let document = parse(&text, &["tractors.1.particle.mass=6 kg"]).unwrap();
     let scenario = document.scenario;
-    let first = scenario.tractor_solid(1).unwrap().mass_kg();
-    let second = scenario.tractor_solid(2).unwrap().mass_kg();
+    let first = scenario.tractor_solid(1).unwrap().mass_kg;
+    let second = scenario.tractor_solid(2).unwrap().mass_kg;
     assert!((second / first - 2.0).abs() < 1e-12);
-    assert_eq!(scenario.tractor_solid(3), Some(Solid::Particle { mass_kg: 6.0 }));
+    assert_eq!(scenario.tractor_solid(3), Some(Solid { shape: Shape::Particle, mass_kg: 6.0 }));
     let launch = scenario.tractor_launch(2).unwrap();
     assert_eq!((launch.axial_speed.si(), launch.radial_speed.si()), (40.0, 50.0));
     assert_eq!(scenario.tractor_launch(1).unwrap().axial_speed.si(), 50.0);

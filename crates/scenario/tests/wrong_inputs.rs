@@ -209,7 +209,7 @@ fn a_wrong_override_shows_the_override() {
         wrong(CONTRACT, &["launch.axal_speed=60 m/s"]),
         [
             "--set launch.axal_speed=60 m/s: launch.axal_speed: unknown key `axal_speed` (did you mean `axial_speed`? known \
-          here: axial_speed, radial_speed, elevation, azimuth)"
+          here: axial_speed, radial_speed, elevation, azimuth, spin, attitude, tube, scatter)"
         ]
     );
     assert!(

@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 16] = [
+pub const SCENARIOS: [(&str, &str); 22] = [
     (
         "space web, everything on board",
         r#"
@@ -294,10 +294,133 @@ elastic_modulus = "1 GPa"
 law.strut = {}
 "#,
     ),
+    (
+        "space web that spins, spheres and boxes",
+        r#"
+web.space.side = "1 m"
+payload.sphere = { diameter = "40 mm", density = 2000 }
+sensor.box = { width = "40 mm", depth = "30 mm", height = "20 mm", density = 2000 }
+tractor.sphere = { diameter = "60 mm", density = 7800 }
+traction_rope = { length = "0.3 m", tied_at = "rear" }
+stow.bag.radius = "0.2 m"
+launch = { axial_speed = "30 m/s", radial_speed = "10 m/s", spin = "300 rpm", attitude = "axis" }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "3 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+
+[[tractors]]
+corner = 1
+tied_at = "front"
+[[tractors]]
+corner = 2
+tied_at = "centre"
+[[tractors]]
+corner = 3
+tie_point = ["10 mm", 0, "-20 mm"]
+[[tractors]]
+corner = 4
+sphere = { diameter = "50 mm", density = 7800 }
+[[tractors]]
+corner = 5
+box = { width = "40 mm", depth = "30 mm", height = "20 mm", density = 7800 }
+tied_at = "rear"
+"#,
+    ),
+    (
+        "space web from tubes, fired by chance",
+        r#"
+web.space.side = "1 m"
+payload.sphere = { diameter = "40 mm", mass = "0.1 kg" }
+sensor.box = { width = "40 mm", depth = "30 mm", height = "20 mm", mass = "0.1 kg" }
+tractor.sphere = { diameter = "60 mm", mass = "0.5 kg" }
+traction_rope = { length = "0.3 m", tied_at = "front" }
+stow.bag.radius = "0.2 m"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "10 ms", segment_length = "0.2 m" }
+record.every = "0.5 ms"
+
+[launch.tube]
+stroke = "30 mm"
+cant = "20 deg"
+force_over_stroke = { at = [0, "20 mm"], force = ["6 kN", "3 kN"] }
+
+[launch.scatter]
+speed = "5 %"
+angle = "1 deg"
+delay = "0.4 ms"
+seed = 4
+
+[[tractors]]
+corner = 2
+sphere = { diameter = "50 mm", mass = "0.4 kg" }
+delay = "1 ms"
+[[tractors]]
+corner = 3
+box = { width = "40 mm", depth = "30 mm", height = "20 mm", mass = "0.4 kg" }
+"#,
+    ),
+    (
+        "space web under covers, its tractors let go in turn",
+        r#"
+web.space.side = "1 m"
+payload.box = { width = "40 mm", depth = "30 mm", height = "20 mm", density = 2000 }
+sensor.sphere = { diameter = "40 mm", density = 2000 }
+tractor.box = { width = "40 mm", depth = "30 mm", height = "60 mm", density = 7800 }
+traction_rope = { length = "0.3 m", tie_point = ["5 mm", "5 mm", "-30 mm"] }
+stow.bag.radius = "0.2 m"
+launch = { axial_speed = "50 m/s", radial_speed = "10 m/s", attitude = "flight" }
+covers = [{ opens = "1.3 ms" }, { opens = "2 ms", nodes = ["centre of canopy 1"] }]
+tractors = [{ corner = 1, delay = "0.7 ms" }, { corner = 2, delay = "1.5 ms" }]
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "4 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "space web from tubes, by a force over time, from a file",
+        r#"
+web.space.side = "1 m"
+payload.box = { width = "40 mm", depth = "30 mm", height = "20 mm", mass = "0.1 kg" }
+sensor.sphere = { diameter = "40 mm", mass = "0.1 kg" }
+tractor.box = { width = "40 mm", depth = "30 mm", height = "60 mm", mass = "0.5 kg" }
+traction_rope = { length = "0.3 m", tied_at = "centre" }
+stow.bag.radius = "0.2 m"
+launch.tube = { stroke = "20 mm", force_over_time.file = "pulse.csv" }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "6 ms", segment_length = "0.2 m" }
+record.every = "0.5 ms"
+"#,
+    ),
+    (
+        "square net from tubes, by a force over the stroke, from a file",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.3 m"
+stow.bag.radius = "0.2 m"
+launch.tube = { stroke = "20 mm", force_over_stroke.file = "spring.csv" }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "6 ms", segment_length = "0.2 m" }
+record.every = "0.5 ms"
+"#,
+    ),
+    (
+        "square net from tubes, by a force over time",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.3 m"
+stow.bag.radius = "0.2 m"
+launch.tube = { stroke = "20 mm", force_over_time = { at = [0, "1 ms"], force = ["2 kN", "1 kN"] } }
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "6 ms", segment_length = "0.2 m" }
+record.every = "0.5 ms"
+"#,
+    ),
 ];
 
-/// The files that the graphs name: every column that such files can have.
-const FILES: [(&str, &str); 6] = [
+/// The files that scenarios name: every column that such files can have.
+const FILES: [(&str, &str); 8] = [
     ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
     (
         "moving.csv",
@@ -316,6 +439,8 @@ const FILES: [(&str, &str); 6] = [
     ),
     ("belt.csv", "strain,tension,unloading\n0,0,0\n0.02,200,20\n0.1,1500,1500\n"),
     ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),
+    ("pulse.csv", "time,force\n0,0\n0.001,2000\n0.003,0\n"),
+    ("spring.csv", "stroke,force\n0,2000\n0.02,0\n"),
 ];
 
 /// Puts the files that scenarios name into `folder`.

@@ -9,6 +9,7 @@ use netcast::dynamics::forces::law::Law;
 use netcast::dynamics::forces::viscoelastic::Viscoelastic;
 use netcast::dynamics::time::step::Stepper;
 use netcast::scenario::library::library;
+use netcast::scenario::lower::Thrown;
 use netcast::webs::PACKED_FILL;
 use netcast::{Document, Model, schedule};
 
@@ -46,6 +47,8 @@ pub fn run(arguments: &Arguments) -> Ended {
         links(&model);
     }
     from_library(&document);
+    bodies(&model);
+    launch(&model);
     audit(&model);
     cost(&model);
     Ok(())
@@ -142,6 +145,60 @@ fn links(model: &Model) {
         (link.name, format!("{}{ring}, of {}, {} m", link.class, link.rope, number(link.length, 4)))
     });
     rows(&described.collect::<Vec<_>>());
+}
+
+/// Bodies that ropes can turn.
+fn bodies(model: &Model) {
+    let mut lines: Vec<(String, Vec<u32>)> = Vec::new();
+    for (throw, corner) in model.tractors_by_corner().into_iter().zip(1u32..) {
+        let Some((solid, body)) = throw else { continue };
+        let [x, y, z] = body.inertia.to_array().map(|moment| number(moment, 3));
+        let arm = body.ties[0].arm.to_array().map(|along| number(1e3 * along, 3)).join(", ");
+        let mass = number(solid.mass_kg, 4);
+        let told = format!("{mass} kg, inertia {x}, {y}, {z} kg m^2, tied at {arm} mm from its centre");
+        match lines.iter_mut().find(|(known, _)| *known == told) {
+            Some((_, corners)) => corners.push(corner),
+            None => lines.push((told, vec![corner])),
+        }
+    }
+    if lines.is_empty() {
+        return;
+    }
+    say!("Rigid bodies");
+    rows(&lines.into_iter().map(|(told, corners)| (named(&corners), told)).collect::<Vec<_>>());
+}
+
+/// The tractors at some corners.
+fn named(corners: &[u32]) -> String {
+    let numbers: Vec<String> = corners.iter().map(u32::to_string).collect();
+    format!("tractor {}", numbers.join(", "))
+}
+
+/// How tractors are launched, where that is more than a speed for all.
+fn launch(model: &Model) {
+    let scenario = &model.scenario;
+    let Some(launch) = &scenario.launch else { return };
+    let mut lines = Vec::new();
+    if launch.spin.si() != 0.0 {
+        lines.push(("spin".into(), format!("{} rad/s about the launch axis", number(launch.spin.si(), 4))));
+    }
+    let is_plain = launch.tube.is_none() && launch.scatter.is_none() && scenario.tractors.is_empty();
+    for throw in model.throws.iter().flatten().filter(|_| !is_plain) {
+        let angle = throw.angle_to(model.axis()).to_degrees();
+        let by = match &throw.by {
+            Thrown::At(velocity) => format!("{} m/s", number(velocity.length(), 4)),
+            Thrown::From { stroke, push } => {
+                let work = push.work(*stroke).map(|work| format!(", {} J", number(work, 4)));
+                format!("a tube of {} m{}", number(*stroke, 4), work.unwrap_or_default())
+            }
+        };
+        let delay = if throw.delay > 0.0 { format!(", after {} ms", number(1e3 * throw.delay, 4)) } else { "".into() };
+        lines.push((named(&[throw.corner]), format!("{by} at {} deg from the axis{delay}", number(angle, 4))));
+    }
+    if !lines.is_empty() {
+        say!("Launch");
+        rows(&lines);
+    }
 }
 
 /// Which values are the library's, and whose they are.

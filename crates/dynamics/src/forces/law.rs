@@ -21,6 +21,7 @@ use super::rope_tension::{self, Along, LANES, Pull, friction_work, sum_lanes};
 use super::strut;
 use super::tabulated::Tabulated;
 use super::viscoelastic::{Decay, Viscoelastic};
+use crate::layout::Address;
 use crate::system::{Segment, System};
 
 /// A law of tension against stretch.
@@ -238,6 +239,13 @@ pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
             left = right;
         }
     }
+}
+
+/// The force of the segments before and after a slot on it, N.
+pub fn force_at(system: &System, pulls: &[Pull], at: Address) -> DVec3 {
+    let slots = &system.layout().blocks()[at.block].slots;
+    let pull = |slot: usize| slots[slot].segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
+    pull(at.slot) - at.slot.checked_sub(1).map_or(DVec3::ZERO, pull)
 }
 
 /// Work lost in each block as its segments go from one length and friction to the next, J.

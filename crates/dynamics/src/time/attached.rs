@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! act      forces of loads and elements on their nodes, where these are now
-//! couple   bodies collect what pulls at their ties; drives count what pulls at them
-//! carry    after nodes have moved: bodies turn and take their ties along, drives go on
+//! couple   bodies collect what pulls at their ties; drives count what pulls at them; launchers hold, guide, push
+//! carry    after nodes have moved: launchers let go, bodies turn and take their ties along, drives go on
 //! ```
 //!
 //! Nodes are reached through closures, for each step keeps them in its own way. Forces are summed in the order of the
@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::StepFactors;
 use super::elements::Elements;
+use super::launching::{Launching, Phase, Thrust, thrust};
 use super::step::Team;
 use crate::body::{Body, Rotation};
 use crate::forces::bending::Bending;
@@ -21,6 +22,7 @@ use crate::forces::element::Element;
 use crate::forces::hinge::Hinge;
 use crate::forces::load;
 use crate::forces::membrane::Membrane;
+use crate::launcher::Means;
 use crate::state::State;
 use crate::system::System;
 
@@ -58,9 +60,20 @@ pub(super) struct Attached<'a> {
     torque: Vec<DVec3>,
     /// Force on each driven node, N, and its position, m, at the last forces.
     driven: Vec<(DVec3, DVec3)>,
+    launching: Launching,
+    /// What each launcher does at the last forces.
+    thrusts: Vec<Thrust>,
+    /// The body whose centre each launcher has.
+    launched_body: Vec<Option<usize>>,
+    /// Half-step velocities of nodes that are let go at the last forces, m/s.
+    let_go: Vec<(usize, DVec3)>,
+    /// Time of the step that is next, s.
+    time: f64,
     sums: AttachedSums,
-    /// What is carried, ties and then driven nodes, and how it moves now.
+    /// What is carried, ties and then driven nodes, and how it moves now; after them, what is let go now.
     carried: Vec<(usize, Moving)>,
+    /// Number of ties and driven nodes.
+    carried_always: usize,
 }
 
 /// What is summed over all that is attached, from the forces before to these.
@@ -74,14 +87,23 @@ pub struct AttachedSums {
     pub bending_work: f64,
     /// Work lost inside sheets, J.
     pub sheet_work: f64,
+    /// Work that the net has done on its launchers, J.
+    pub launch_work: f64,
 }
 
 impl<'a> Attached<'a> {
-    /// None where a system has nothing of the kind.
-    pub fn new(system: &'a System, factors: StepFactors, turning: Vec<Turning>) -> Option<Self> {
+    /// None where a system has nothing of the kind. It goes on from `time`, s.
+    pub fn new(
+        system: &'a System,
+        factors: StepFactors,
+        turning: Vec<Turning>,
+        launching: Launching,
+        time: f64,
+    ) -> Option<Self> {
         let elements = system.bends().len() + system.membranes().len() + system.hinges().len();
-        let nothing = elements + system.loads().len() + system.bodies().len() + system.drives().len() == 0;
-        (!nothing).then(|| Attached {
+        let moved = system.bodies().len() + system.drives().len() + system.launchers().len();
+        let body_at = |node: usize| system.bodies().iter().position(|body| body.centre == node);
+        (elements + system.loads().len() + moved > 0).then(|| Attached {
             system,
             factors,
             force: vec![DVec3::ZERO; system.mass().len()],
@@ -91,8 +113,14 @@ impl<'a> Attached<'a> {
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
             driven: vec![(DVec3::ZERO, DVec3::ZERO); system.drives().len()],
+            launching,
+            thrusts: vec![Thrust::default(); system.launchers().len()],
+            launched_body: system.launchers().iter().map(|launcher| body_at(launcher.node)).collect(),
+            let_go: Vec::new(),
+            time,
             sums: AttachedSums::default(),
             carried: Vec::new(),
+            carried_always: 0,
         })
     }
 
@@ -104,6 +132,16 @@ impl<'a> Attached<'a> {
     /// How each body turns.
     pub fn turning(&self) -> &[Turning] {
         &self.turning
+    }
+
+    /// How the launch stands.
+    pub fn launching(&self) -> &Launching {
+        &self.launching
+    }
+
+    /// Nodes that are let go at the last forces and their half-step velocities before, m/s.
+    pub fn let_go(&self) -> &[(usize, DVec3)] {
+        &self.let_go
     }
 
     /// Sums of the last forces.
@@ -118,7 +156,8 @@ impl<'a> Attached<'a> {
         let hinges = system.hinges().iter().flat_map(|hinge| hinge.nodes());
         let loads = system.loads().iter().map(|load| load.node);
         let centres = system.bodies().iter().map(|body| body.centre);
-        bends.chain(membranes).chain(hinges).chain(loads).chain(centres)
+        let launched = system.launchers().iter().map(|launcher| launcher.node);
+        bends.chain(membranes).chain(hinges).chain(loads).chain(centres).chain(launched)
     }
 
     /// The forces of loads and elements. `node` tells where a node is and how it moves.
@@ -137,9 +176,10 @@ impl<'a> Attached<'a> {
         };
     }
 
-    /// The force of a body's ties on it and of nodes on their drives. `pull` tells the force of ropes on a node, added
-    /// to what is given; `at` tells where a node is.
-    pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, at: impl Fn(usize) -> DVec3) {
+    /// The force of a body's ties on it, of nodes on their drives, of launchers on their nodes. `pull` tells the force
+    /// of ropes on a node, added to what is given; `moving` tells where a node is, and its half-step velocity.
+    pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
+        let at = |node: usize| moving(node).x;
         for (body, torque) in self.system.bodies().iter().zip(&mut self.torque) {
             *torque = DVec3::ZERO;
             for tie in &body.ties {
@@ -153,8 +193,36 @@ impl<'a> Attached<'a> {
             self.sums.drive_work += 0.5 * (*last_force + force).dot(place - *last_place);
             (*last_force, *last_place) = (force, place);
         }
+        self.launch(pull, moving);
         for (body, rotation) in self.system.bodies().iter().zip(self.rotations()) {
             self.sums.turning += rotation.angular_momentum.dot(body.angular_velocity(&rotation));
+        }
+    }
+
+    /// What launchers do. Comes last, when all other forces on their nodes are known.
+    fn launch(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
+        let (system, factors) = (self.system, self.factors);
+        self.let_go.clear();
+        let launchers = system.launchers().iter().zip(&mut self.thrusts).zip(&self.launched_body);
+        for (((launcher, last), body), launched) in launchers.zip(&self.launching.nodes) {
+            let (node, phase) = (launcher.node, launched.phase);
+            if phase == Phase::Free && last.force == DVec3::ZERO {
+                continue;
+            }
+            let mass = system.mass()[node];
+            let pulled = pull(node, self.force[node]) + mass * system.environment().gravity;
+            let now = thrust(launcher, phase, moving(node), mass, pulled, self.time, factors);
+            self.sums.launch_work -= 0.5 * (last.force + now.force).dot(now.place - last.place);
+            self.force[node] += now.force;
+            *last = now;
+            if let (Phase::Leaving, Means::Velocity(velocity)) = (phase, &launcher.by) {
+                let before = |k| factors.before_start(velocity[k], pulled[k] / mass);
+                self.let_go.push((node, DVec3::from_array(std::array::from_fn(before))));
+                self.sums.launch_work -= 0.5 * mass * velocity.length_squared();
+            }
+            if let Some(body) = body.filter(|_| phase.is_guided()) {
+                self.torque[body] = DVec3::ZERO;
+            }
         }
     }
 
@@ -182,12 +250,24 @@ impl<'a> Attached<'a> {
         let ties = self.system.bodies().iter().flat_map(|body| &body.ties).map(|tie| tie.node);
         let all = ties.chain(self.system.drives().iter().map(|drive| drive.node));
         self.carried = all.map(|carried| (carried, node(carried))).collect();
+        self.carried_always = self.carried.len();
     }
 
-    /// Turns bodies, moves driven nodes to their places at `time`, s, and returns what is carried and how it moves now.
-    /// `centre` tells how the centre of a body moves after this step.
-    pub fn carry(&mut self, time: f64, centre: impl Fn(usize) -> Moving) -> &[(usize, Moving)] {
+    /// Lets go of what is launched, turns bodies, moves driven nodes to their places at `time`, s, and returns what is
+    /// carried and how it moves now. `moving` tells how a node moves after this step.
+    pub fn carry(&mut self, time: f64, moving: impl Fn(usize) -> Moving) -> &[(usize, Moving)] {
         let (system, dt) = (self.system, self.factors.dt);
+        let mut let_go = Vec::new();
+        let when = (time, self.time == 0.0);
+        self.launching.advance(system.launchers(), &self.thrusts, self.factors, when, |node, velocity| {
+            let_go.push((node, Moving { w: velocity, ..moving(node) }));
+        });
+        self.time = time;
+        let centre = |node: usize| {
+            let own = let_go.iter().find(|(own, _)| *own == node);
+            own.map_or_else(|| moving(node), |(_, moving)| *moving)
+        };
+        self.carried.truncate(self.carried_always);
         let mut carried = self.carried.iter_mut().map(|(_, moving)| moving);
         let mut next = || carried.next().expect("everything that is carried has a place");
         for ((body, turning), torque) in system.bodies().iter().zip(&mut self.turning).zip(&self.torque) {
@@ -203,6 +283,7 @@ impl<'a> Attached<'a> {
             let v = (x - driven.x) / dt;
             *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
         }
+        self.carried.extend(let_go);
         &self.carried
     }
 }

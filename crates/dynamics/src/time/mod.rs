@@ -16,6 +16,7 @@
 pub mod attached;
 mod blocks;
 pub(crate) mod elements;
+pub mod launching;
 mod lawful;
 pub mod readable;
 mod rupture;

@@ -6,10 +6,12 @@ use glam::DVec3;
 
 use super::StepFactors;
 use super::attached::{Attached, Moving, Turning, started};
+use super::launching::Launching;
 use super::step::Team;
 use crate::forces::gravity;
 use crate::forces::law::{self, RopeState};
 use crate::forces::rope_tension::Pull;
+use crate::layout::Address;
 use crate::state::State;
 use crate::system::System;
 
@@ -28,6 +30,8 @@ pub struct Readable<'a> {
     /// Work lost inside ropes between the last two forces, J.
     pub rope_work: f64,
     attached: Option<Attached<'a>>,
+    /// All slots of each node, (nodes,).
+    slots: Vec<Vec<Address>>,
     taken: u64,
     /// What segments remember, and which are gone.
     pub ropes: RopeState,
@@ -55,7 +59,8 @@ impl<'a> Readable<'a> {
             ropes,
             failing: Vec::new(),
             moved: false,
-            attached: Attached::new(system, factors, turning),
+            attached: Attached::new(system, factors, turning, Launching::starting(system), 0.0),
+            slots: system.layout().slots_by_node(),
             taken: 0,
         };
         let (x, v) = (&net.position, &net.velocity);
@@ -99,11 +104,16 @@ impl<'a> Readable<'a> {
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
-            attached.act(&Team::default(), |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
-            let mut with_ropes = attached.force().to_vec();
-            law::add_force(system, &self.pulls, &mut with_ropes);
-            attached.couple(|node, _| with_ropes[node], |node| x[node]);
+            let velocity = &mut self.velocity;
+            let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
+            attached.act(&Team::default(), moving);
+            let pull_at = |at: &Address| law::force_at(system, &self.pulls, *at);
+            attached.couple(
+                |node, force| self.slots[node].iter().map(pull_at).fold(force, |force, pull| force + pull),
+                moving,
+            );
             force.copy_from_slice(attached.force());
+            attached.let_go().iter().for_each(|&(node, before)| velocity[node] = before);
             self.rope_work += attached.sums().bending_work;
         }
         law::add_force(system, &self.pulls, &mut force);

@@ -9,6 +9,7 @@ use super::StepFactors;
 use super::attached::{Attached, AttachedSums, Moving, Turning, carried_velocities, started};
 pub use super::blocks::Vectors;
 use super::blocks::{Nodes, Ropes, Told, blocks};
+use super::launching::Launching;
 use super::rupture::Failing;
 use crate::forces::law::RopeState;
 use crate::layout::Address;
@@ -106,6 +107,8 @@ pub struct StepSums {
     pub sheet_work: f64,
     /// Number of segments that break in this step; [`Stepper::failing`] says which.
     pub failing: usize,
+    /// Work done on launchers since the forces before, J.
+    pub launch_work: f64,
 }
 
 /// A net in motion.
@@ -139,7 +142,7 @@ impl<'a> Stepper<'a> {
     /// As [`Stepper::new`], on a chosen engine. The result is the same on any.
     pub fn on(engine: Engine, system: &'a System, state: &State, dt: f64) -> Stepper<'a> {
         let turning = state.rotation.iter().copied().map(Turning::starting).collect();
-        let mut stepper = Stepper::empty(engine, system, dt, turning);
+        let mut stepper = Stepper::empty(engine, system, dt, turning, Launching::starting(system), 0);
         stepper.start(state);
         stepper
     }
@@ -148,8 +151,8 @@ impl<'a> Stepper<'a> {
     /// forces tell no work lost in ropes: they do not know the lengths before.
     pub fn resume(system: &'a System, motion: &Motion, dt: f64, threads: usize) -> Stepper<'a> {
         let engine = Engine { threads, ..Engine::default() };
-        let mut stepper = Stepper::empty(engine, system, dt, motion.turning.clone());
-        stepper.taken = motion.step;
+        let (turning, launching) = (motion.turning.clone(), motion.launching.clone());
+        let mut stepper = Stepper::empty(engine, system, dt, turning, launching, motion.step);
         stepper.put_all(&motion.position, &motion.half_step_velocity, &motion.extrapolated);
         stepper.put_ropes(&motion.ropes);
         stepper
@@ -172,6 +175,7 @@ impl<'a> Stepper<'a> {
             half_step_velocity: of_each(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
             extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
             turning: attached.as_ref().map_or(Vec::new(), |attached| attached.turning().to_vec()),
+            launching: self.launching(),
             step: *taken,
             ropes,
         }
@@ -199,12 +203,19 @@ impl<'a> Stepper<'a> {
     }
 
     /// A net whose nodes are nowhere yet.
-    fn empty(engine: Engine, system: &'a System, dt: f64, turning: Vec<Turning>) -> Stepper<'a> {
+    fn empty(
+        engine: Engine,
+        system: &'a System,
+        dt: f64,
+        turning: Vec<Turning>,
+        launching: Launching,
+        taken: u64,
+    ) -> Stepper<'a> {
         let (nodes, ropes) = blocks(system, &Attached::touched(system).collect::<Vec<_>>());
         let Engine { threads, vectors, least_slots_for_threads } = engine;
         let worth_it = threads > 1 && system.layout().slot_count() >= least_slots_for_threads;
         let factors = StepFactors::new(dt, system.environment().mass_damping);
-        let attached = Attached::new(system, factors, turning);
+        let attached = Attached::new(system, factors, turning, launching, taken as f64 * dt);
         Stepper {
             system,
             factors,
@@ -214,7 +225,7 @@ impl<'a> Stepper<'a> {
             ropes,
             slots: if attached.is_some() { system.layout().slots_by_node() } else { Vec::new() },
             attached,
-            taken: 0,
+            taken,
             moved: false,
             team: if worth_it { Team::of(threads) } else { Team::default() },
             vectors,
@@ -318,8 +329,12 @@ impl<'a> Stepper<'a> {
         attached.act(&self.team, moving);
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
-            |node| moving(node).x,
+            moving,
         );
+        for &(node, before) in attached.let_go() {
+            let Address { block, slot } = homes[node];
+            self.nodes[block].v.iter_mut().zip(before.to_array()).for_each(|(v, before)| v[slot] = before);
+        }
     }
 
     /// Moves what is carried, and tells its other slots.
@@ -334,7 +349,7 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { drive_work, turning, bending_work, sheet_work } =
+        let AttachedSums { drive_work, turning, bending_work, sheet_work, launch_work } =
             self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
@@ -342,6 +357,7 @@ impl<'a> Stepper<'a> {
             drive_work,
             sheet_work,
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
+            launch_work,
         }
     }
 
@@ -366,6 +382,11 @@ impl<'a> Stepper<'a> {
     /// Step, s.
     pub fn dt(&self) -> f64 {
         self.factors.dt
+    }
+
+    /// How the launch stands.
+    pub fn launching(&self) -> Launching {
+        self.attached.as_ref().map_or(Launching::default(), |attached| attached.launching().clone())
     }
 
     /// Position of a node, m.

@@ -19,6 +19,7 @@
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
 use crate::forces::element::Element;
+use crate::launcher::{Means, Push, Tube};
 use crate::system::System;
 
 /// A bound on the step and what sets it.
@@ -95,6 +96,12 @@ pub fn step_limit(system: &System) -> StepLimit {
             if let Some((_, what)) = at.stiffest[tie.node] {
                 at.add(body.centre, stiffness, damping, what);
             }
+        }
+    }
+    // a spring between the launcher and its node: counted once, where one between two nodes counts twice
+    for launcher in system.launchers() {
+        if let Means::Tube(Tube { push: Push::OverStroke(curve), .. }) = &launcher.by {
+            at.stiffness[launcher.node] += 0.5 * curve.steepest();
         }
     }
     let bound = |node: usize, c: f64| {

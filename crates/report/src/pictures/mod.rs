@@ -11,6 +11,7 @@
 //! `files` writes them all.
 
 mod animation;
+mod body_outline;
 mod camera;
 mod colour;
 mod curves;

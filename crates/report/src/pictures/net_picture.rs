@@ -1,11 +1,12 @@
 //! A net at one moment, as SVG.
 //!
 //! Ropes are drawn in their bins of tension, the slack ones first and the hardest pulled on top. Bodies have their true
-//! size, or the least that can be seen. The outline is shaded while the web counts as open.
+//! size and attitude, or are dots of the least size that can be seen. The outline is shaded while the web counts as open.
 
 use glam::{DVec2, IVec2};
 use netcast_results::{BodyKind, BodyMark};
 
+use super::body_outline::outline;
 use super::camera::Camera;
 use super::colour::{BINS, TensionScale};
 use super::series;
@@ -64,7 +65,7 @@ impl NetPicture<'_> {
         self.draw_ropes(frame, &points, svg);
         svg.push_str("</g>");
         let mut labels = Labels::new(self.size, self.labelling);
-        self.draw_bodies(&points, &mut labels, svg);
+        self.draw_bodies(frame, &points, &mut labels, svg);
         self.draw_points(mean, &mut labels, svg);
         svg.push_str(&labels.svg);
         self.draw_scale_bar(svg);
@@ -106,7 +107,8 @@ impl NetPicture<'_> {
         svg.push_str("</g>");
     }
 
-    fn draw_bodies(&self, points: &[IVec2], labels: &mut Labels, svg: &mut String) {
+    fn draw_bodies(&self, frame: usize, points: &[IVec2], labels: &mut Labels, svg: &mut String) {
+        let turned = self.scene.fields.orientations(frame);
         let landmarks = &self.scene.landmarks;
         // what is carried first, so that no tractor is hidden
         let (tractors, others): (Vec<_>, Vec<_>) =
@@ -117,8 +119,18 @@ impl NetPicture<'_> {
                 BodyKind::Tractor => ("tractor", LEAST_RADIUS.0),
                 BodyKind::Payload | BodyKind::Sensor => ("payload", LEAST_RADIUS.1),
             };
-            let radius = (body_radius(body) * self.px_per_m).max(least);
-            labels.circle(class, points[body.node], radius, svg);
+            let corners = body.rigid.map_or(Vec::new(), |rigid| outline(&body.shape, turned[rigid], &self.camera));
+            let reach = self.px_per_m * corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
+            // of its true size, unless that is too small to be seen
+            let radius = if reach > least {
+                let corners = corners.iter().map(|corner| corner * DVec2::new(self.px_per_m, -self.px_per_m));
+                labels.shape(class, points[body.node], reach, corners, svg);
+                reach
+            } else {
+                let radius = (body_radius(body) * self.px_per_m).max(least);
+                labels.circle(class, points[body.node], radius, svg);
+                radius
+            };
             let number = landmarks.tractors.iter().position(|&tractor| tractor == body.node);
             if let Some(place) = number.filter(|_| are_numbered) {
                 let text = format!("T{}", place + 1);
@@ -172,7 +184,7 @@ pub(crate) fn extent(scene: &Scene, frame: usize, camera: &Camera) -> (DVec2, DV
 
 /// Radius of a body, m; none for a particle.
 fn body_radius(body: &BodyMark) -> f64 {
-    body.size_m.map_or(0.0, |[diameter, _]| 0.5 * diameter)
+    0.5 * body.shape.size_m()[0]
 }
 
 fn polygon(vertices: impl Iterator<Item = IVec2>) -> String {
@@ -228,6 +240,15 @@ impl Labels {
         let centre = px(at);
         self.taken.push((centre - radius, centre + radius));
         svg.push_str(&format!("<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{radius:.1}\"/>", centre.x, centre.y));
+    }
+
+    /// A polygon with these corners about a point, px, which reaches so far.
+    fn shape(&mut self, class: &str, at: IVec2, reach: f64, corners: impl Iterator<Item = DVec2>, svg: &mut String) {
+        let centre = px(at);
+        self.taken.push((centre - reach, centre + reach));
+        let corners: Vec<String> =
+            corners.map(|corner| centre + corner).map(|c| format!("{:.1} {:.1}", c.x, c.y)).collect();
+        svg.push_str(&format!("<path class=\"{class}\" d=\"M{}z\"/>", corners.join("L")));
     }
 
     fn place(&mut self) {

@@ -210,7 +210,7 @@ mod tests {
             ..FieldsTopology::default()
         };
         let mut fields = FieldsWriter::new(topology).unwrap();
-        fields.push(0.0, &vec![DVec3::ZERO; nodes], &vec![DVec3::ZERO; nodes], &vec![0.0; count]).unwrap();
+        fields.push(0.0, &vec![DVec3::ZERO; nodes], &vec![DVec3::ZERO; nodes], &vec![0.0; count], &[]).unwrap();
         fields.finish(&path).unwrap();
         let landmarks: Landmarks = from_value(json!({
             "axis": [0.0, 0.0, 1.0], "outline": [], "reference_area_m2": null, "flat_posture_m": 0.0, "corners": [],

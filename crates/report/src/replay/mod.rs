@@ -111,8 +111,11 @@ mod tests {
     use std::io::Read;
 
     use flate2::read::ZlibDecoder;
-    use glam::DVec3;
-    use netcast_results::{FieldsTopology, FieldsWriter, Group, Landmark, Landmarks, LinkClass, NamedRope, folder};
+    use glam::{DQuat, DVec3};
+    use netcast_results::{
+        BodyKind, BodyMark, BodyShape, FieldsTopology, FieldsWriter, Group, Landmark, Landmarks, LinkClass, NamedRope,
+        folder,
+    };
     use serde_json::Value;
 
     use super::*;
@@ -137,6 +140,10 @@ mod tests {
         }
     }
 
+    fn turned(frame: usize) -> DQuat {
+        DQuat::from_rotation_x(0.1 * frame as f64) * DQuat::from_rotation_z(0.3)
+    }
+
     fn scene() -> Scene {
         let landmarks = Landmarks {
             axis: DVec3::Z,
@@ -158,7 +165,12 @@ mod tests {
             ropes: vec![NamedRope { name: "rope".into(), strength: None, knot_reduction: None }],
             groups: [0, 1].map(|class| Group { class, rope: Some(0) }).to_vec(),
             canopies: Vec::new(),
-            bodies: Vec::new(),
+            bodies: vec![BodyMark {
+                kind: BodyKind::Tractor,
+                node: 77,
+                shape: BodyShape::Box { size_m: [0.1, 0.2, 0.3] },
+                rigid: Some(0),
+            }],
         };
         let mut fields = FieldsWriter::new(FieldsTopology {
             nodes: SEGMENTS + 1,
@@ -166,12 +178,15 @@ mod tests {
             classes: (0..SEGMENTS as u32).map(|segment| segment / 300).collect(),
             class_names: vec!["one".into(), "other".into()],
             labels: Vec::new(),
+            bodies: vec![77],
         })
         .unwrap();
         for frame in 0..FRAMES {
             let positions: Vec<DVec3> = (0..=SEGMENTS).map(|node| position(frame, node)).collect();
             let tensions: Vec<f64> = (0..SEGMENTS).map(|segment| tension(frame, segment)).collect();
-            fields.push(frame as f64 * 1e-3, &positions, &vec![DVec3::ZERO; SEGMENTS + 1], &tensions).unwrap();
+            fields
+                .push(frame as f64 * 1e-3, &positions, &vec![DVec3::ZERO; SEGMENTS + 1], &tensions, &[turned(frame)])
+                .unwrap();
         }
         let dir = tempfile::tempdir().unwrap();
         let within = |name: &str| dir.path().join(name);
@@ -258,6 +273,13 @@ mod tests {
             }
         }
         assert_eq!(told["points"], serde_json::json!([{"name": "B", "nodes": [77]}]));
+        let body = &told["bodies"][0];
+        assert_eq!((&body["shape"], &body["size_m"]), (&"box".into(), &serde_json::json!([0.1, 0.2, 0.3])));
+        let parts: Vec<f64> = body["turned"].as_array().unwrap().iter().map(|part| part.as_f64().unwrap()).collect();
+        assert_eq!(parts.len(), 4 * FRAMES);
+        for (frame, parts) in parts.chunks(4).enumerate() {
+            assert!(DQuat::from_slice(parts).normalize().angle_between(turned(frame)) < 2e-4, "frame {frame}");
+        }
     }
 
     #[test]

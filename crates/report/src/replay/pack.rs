@@ -18,6 +18,7 @@ use std::io::Write;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use glam::DVec3;
+use netcast_results::BodyShape;
 use serde_json::{Value, json};
 
 use super::thin::Drawn;
@@ -229,9 +230,32 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "bodies": landmarks
             .bodies
             .iter()
-            .map(|body| json!({"kind": body.kind, "node": place(&body.node), "size_m": body.size_m}))
+            .map(|body| {
+                let turned = |body: usize| frames.iter().flat_map(move |&frame| orientation(scene, frame, body));
+                json!({
+                    "kind": body.kind,
+                    "node": place(&body.node),
+                    "shape": shape(&body.shape),
+                    "size_m": body.shape.size_m(),
+                    "turned": body.rigid.map(|body| turned(body).collect::<Vec<f64>>()),
+                })
+            })
             .collect::<Vec<_>>(),
     })
+}
+
+/// A body's orientation in a frame, x, y, z, w, to a ten-thousandth: far finer than a pixel.
+fn orientation(scene: &Scene, frame: usize, body: usize) -> [f64; 4] {
+    scene.fields.orientations(frame)[body].to_array().map(|part| (1e4 * part).round() / 1e4)
+}
+
+/// The mesh that a body is drawn with.
+fn shape(shape: &BodyShape) -> &'static str {
+    match shape {
+        BodyShape::Cylinder { .. } => "cylinder",
+        BodyShape::Box { .. } => "box",
+        BodyShape::Sphere { .. } | BodyShape::Particle => "sphere",
+    }
 }
 
 #[cfg(test)]

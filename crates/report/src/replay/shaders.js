@@ -113,15 +113,17 @@ void main() {
   bodies: [
     `${HEAD}
 layout(location = 0) in vec3 aPlace; layout(location = 1) in vec3 aNormal;
-layout(location = 2) in vec3 aMiddle; layout(location = 3) in vec2 aBody; layout(location = 4) in vec3 aColour;
-uniform mat4 uCamera; uniform mat3 uFrame; uniform float uMetresAPixel, uDistance, uLeast;
+layout(location = 2) in vec3 aMiddle; layout(location = 3) in vec3 aSize; layout(location = 4) in vec3 aColour;
+layout(location = 5) in vec3 aX; layout(location = 6) in vec3 aY; layout(location = 7) in vec3 aZ;
+uniform mat4 uCamera; uniform float uMetresAPixel, uDistance, uLeast;
 out vec3 vNormal; out vec3 vColour;
 void main() {
   float depth = max((uCamera * vec4(aMiddle, 1.0)).w, 1e-3);
   // of its true size, and never so small that it could not be seen
-  float grow = max(1.0, uLeast * uMetresAPixel * depth / uDistance / max(aBody.x, 1e-6));
-  vec3 place = aMiddle + uFrame * (vec3(0.5 * aBody.x, 0.5 * aBody.x, aBody.y) * grow * aPlace);
-  vNormal = uFrame * aNormal; vColour = aColour;
+  float grow = max(1.0, uLeast * uMetresAPixel * depth / uDistance / max(aSize.x, 1e-6));
+  mat3 turned = mat3(aX, aY, aZ);
+  vec3 place = aMiddle + turned * (aSize * grow * aPlace);
+  vNormal = turned * aNormal; vColour = aColour;
   gl_Position = uCamera * vec4(place, 1.0);
 }`,
     `${HEAD}

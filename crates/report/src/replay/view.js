@@ -10,7 +10,7 @@ function niceStep(length, parts) {
   return [1, 2, 5, 10].map((step) => step * decade).find((step) => step >= rough * (1 - 1e-9));
 }
 
-/** A cylinder of diameter 2 and height 1 about the origin: places and normals, triangle by triangle. */
+/** A cylinder of diameter 1 and height 1 about the origin: places and normals, triangle by triangle. */
 function cylinder(sides) {
   const mesh = [];
   const at = (side) => [Math.cos((2 * Math.PI * side) / sides), Math.sin((2 * Math.PI * side) / sides)];
@@ -24,10 +24,57 @@ function cylinder(sides) {
       [b, 0.5],
       [a, 0.5],
     ])
-      mesh.push(x, y, z, x, y, 0);
-    for (const z of [-0.5, 0.5]) for (const [x, y] of [[0, 0], a, b]) mesh.push(x, y, z, 0, 0, 2 * z);
+      mesh.push(x / 2, y / 2, z, x, y, 0);
+    for (const z of [-0.5, 0.5])
+      for (const [x, y] of [[0, 0], a, b]) mesh.push(x / 2, y / 2, z, 0, 0, 2 * z);
   }
   return new Float32Array(mesh);
+}
+
+/** A cube of side 1 about the origin, as a cylinder is given. */
+function cube() {
+  const mesh = [];
+  for (let axis = 0; axis < 3; axis++) {
+    for (const side of [-0.5, 0.5]) {
+      for (const [u, v] of [[-1, -1], [1, -1], [1, 1], [-1, -1], [1, 1], [-1, 1]]) {
+        const [place, normal] = [[0, 0, 0], [0, 0, 0]];
+        [place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]] = [side, u / 2, v / 2];
+        normal[axis] = 2 * side;
+        mesh.push(...place, ...normal);
+      }
+    }
+  }
+  return new Float32Array(mesh);
+}
+
+/** A sphere of diameter 1 about the origin, as a cylinder is given. */
+function sphere(sides) {
+  const mesh = [];
+  const at = (side, ring) => {
+    const [turn, tilt] = [(2 * Math.PI * side) / sides, (2 * Math.PI * ring) / sides - Math.PI / 2];
+    return [Math.cos(turn) * Math.cos(tilt), Math.sin(turn) * Math.cos(tilt), Math.sin(tilt)];
+  };
+  for (let ring = 0; ring < sides / 2; ring++) {
+    for (let side = 0; side < sides; side++) {
+      const [a, b, c, d] = [at(side, ring), at(side + 1, ring), at(side + 1, ring + 1), at(side, ring + 1)];
+      for (const normal of [a, b, c, a, c, d]) mesh.push(...scaled(normal, 0.5), ...normal);
+    }
+  }
+  return new Float32Array(mesh);
+}
+
+/** The axes of a body in the world, from its orientations in two frames, [x, y, z, w] each, and the share between. */
+function turnedAxes(now, next, between) {
+  // the shorter way round: a quaternion and its negative are the same orientation
+  const sign = now.reduce((sum, part, place) => sum + part * next[place], 0) < 0 ? -1 : 1;
+  const mixed = now.map((part, place) => part + between * (sign * next[place] - part));
+  const length = Math.hypot(...mixed);
+  const [x, y, z, w] = mixed.map((part) => part / length);
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+    [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+    [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
+  ];
 }
 
 class View {
@@ -101,12 +148,16 @@ class View {
     const lines = this.scenery();
     this.lineVertices = lines.length / 8;
     this.lines = this.arrays([{ values: new Float32Array(lines), sizes: [3, 3, 2] }]);
-    this.mesh = cylinder(20);
     this.bodyBuffer = gl.createBuffer();
-    this.bodies = this.arrays([
-      { values: this.mesh, sizes: [3, 3] },
-      { buffer: this.bodyBuffer, sizes: [3, 2, 3], each: true },
-    ]);
+    const meshes = { cylinder: cylinder(20), box: cube(), sphere: sphere(20) };
+    this.bodies = Object.entries(meshes).map(([shape, values]) => ({
+      shape,
+      vertices: values.length / 6,
+      arrays: this.arrays([
+        { values, sizes: [3, 3] },
+        { buffer: this.bodyBuffer, sizes: [3, 3, 3, 3, 3, 3], each: true },
+      ]),
+    }));
     this.sheetBuffer = gl.createBuffer();
     this.sheets = this.arrays([{ buffer: this.sheetBuffer, sizes: [3] }]);
   }
@@ -354,23 +405,25 @@ class View {
     const { look, ratio, size } = scene;
     if (data.bodies.length === 0) return;
     const uniforms = this.use("bodies", scene);
-    const [one, other, axis] = this.axes();
     const { right, up, back } = look.camera.frame;
-    gl.uniformMatrix3fv(uniforms.uFrame, false, [...one, ...other, ...axis]);
     gl.uniform1f(uniforms.uMetresAPixel, look.camera.pixel(...size));
     gl.uniform1f(uniforms.uDistance, look.camera.distance);
     gl.uniform1f(uniforms.uLeast, 6 * ratio);
     gl.uniform3fv(uniforms.uLight, unit(add(add(scaled(right, -0.4), scaled(up, 0.7)), scaled(back, 0.6))));
-    const particle = [1e-6, 1e-6];
-    const bodies = data.bodies.flatMap(({ kind, node, size_m }) => [
-      ...this.place(node),
-      ...(size_m ?? particle),
-      ...look.colours[kind].slice(0, 3),
-    ]);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.bodyBuffer);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(bodies), gl.DYNAMIC_DRAW);
-    gl.bindVertexArray(this.bodies);
-    gl.drawArraysInstanced(gl.TRIANGLES, 0, this.mesh.length / 6, data.bodies.length);
+    const { frame, next, between } = this.moment;
+    for (const { shape, vertices, arrays } of this.bodies) {
+      const alike = data.bodies.filter((body) => body.shape === shape);
+      const bodies = alike.flatMap(({ kind, node, size_m, turned }) => {
+        const at = (moment) => turned.slice(4 * moment, 4 * moment + 4);
+        const axes = turned ? turnedAxes(at(frame), at(next), between) : this.axes();
+        const size = size_m.map((size) => Math.max(size, 1e-6));
+        return [this.place(node), size, look.colours[kind].slice(0, 3), ...axes].flat();
+      });
+      gl.bindBuffer(gl.ARRAY_BUFFER, this.bodyBuffer);
+      gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(bodies), gl.DYNAMIC_DRAW);
+      gl.bindVertexArray(arrays);
+      gl.drawArraysInstanced(gl.TRIANGLES, 0, vertices, alike.length);
+    }
   }
 
   /** Canopies, and the outline where the web is open. */

@@ -97,6 +97,8 @@ pub struct PlacedBody {
     pub node: usize,
     /// Its size and mass.
     pub solid: crate::body::Solid,
+    /// The system's rigid body that it is; none for a mass on a node.
+    pub rigid: Option<usize>,
 }
 
 /// A rope from knot to knot, as `[assign]` can name it.
@@ -171,15 +173,15 @@ pub fn materials(
     }
     let bodies = bodies(scenario, web);
     for body in &bodies {
-        mass[body.node] += body.solid.mass_kg();
+        mass[body.node] += body.solid.mass_kg;
     }
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         mass[node] += row.mass_kg;
     }
     let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
-    let tractor_masses = tractors.map(|body| body.solid.mass_kg()).collect();
+    let tractor_masses = tractors.map(|body| body.solid.mass_kg).collect();
     let payload =
-        scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg(), volume: p.volume_m3() });
+        scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg, volume: p.shape.volume_m3() });
     let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy, payload, tractor_masses };
     for (name, rope) in &kinds {
         let kind = RopeKind {
@@ -232,10 +234,10 @@ fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
             true => (Role::Payload, scenario.payload_solid()),
             false => (Role::Sensor, scenario.sensor_solid().filter(|_| canopy.is_centre)),
         };
-        Some(PlacedBody { role, node: canopy.hub, solid: solid? })
+        Some(PlacedBody { role, node: canopy.hub, solid: solid?, rigid: None })
     });
     let tractors = web.tractors.iter().enumerate().filter_map(|(corner, &node)| {
-        Some(PlacedBody { role: Role::Tractor, node, solid: scenario.tractor_solid(corner as u32 + 1)? })
+        Some(PlacedBody { role: Role::Tractor, node, solid: scenario.tractor_solid(corner as u32 + 1)?, rigid: None })
     });
     on_canopies.chain(tractors).collect()
 }

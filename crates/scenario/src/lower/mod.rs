@@ -6,25 +6,33 @@
 //! material    ropes, canopies and bodies as stiffness, damping and mass
 //! rope_law    laws of tension, and when a rope breaks
 //! stowing     where the nodes lie
-//! launch      how fast they start
+//! launch      how the tractors are thrown, as meant
+//! scatter     and as chance has it
+//! bodies      which of them are rigid bodies
+//! release     what is let go of, and when
 //! size        whether the machine has the memory
 //! ```
 //!
 //! Everything that does not fit is reported at the place in the file that says so.
 
 mod assignment;
+mod bodies;
 mod canopy_links;
 mod drawing;
 mod launch;
 mod material;
+mod release;
 mod rope_law;
+mod scatter;
 mod size;
 mod stowing;
 
+pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};
+use netcast_dynamics::body::Body;
 use netcast_dynamics::energy::Ledger;
 use netcast_dynamics::forces::law::RopeState;
 use netcast_dynamics::state::State;
@@ -32,6 +40,7 @@ use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
 use netcast_webs::{Audit, Bill, CutWeb};
 
+use crate::body::Solid;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::scenario::Scenario;
@@ -93,6 +102,8 @@ pub struct Model {
     pub tractors: Vec<usize>,
     /// Payloads, sensor and tractors where they sit.
     pub bodies: Vec<PlacedBody>,
+    /// How each tractor is thrown, in the order of the corners, (tractors,); none where it is not.
+    pub throws: Vec<Option<Throw>>,
     /// The bill of materials.
     pub bill: Bill,
     /// The state at the start, looked over.
@@ -118,25 +129,24 @@ impl Model {
         let mut found = Vec::new();
         let materials = gather(material::materials(document, &cut, &scenario, &mut notes), &mut found);
         let stowed = gather(stowing::stow(document, &cut, &mut scenario), &mut found);
-        let velocity = gather(launch::velocities(document, &cut, &scenario), &mut found);
+        let throws = gather(launch::throws(document, &cut, &scenario), &mut found);
         let held = gather(held(document, &cut, &scenario), &mut found);
         let audit = match (&materials, &stowed) {
             (Some(materials), Some(stowed)) => gather(stowing::audit(document, &cut, materials, stowed), &mut found),
             _ => None,
         };
-        let (Some(materials), Some(stowed), Some(velocity), Some(held), Some(audit)) =
-            (materials, stowed, velocity, held, audit)
+        let (Some(mut materials), Some(stowed), Some(mut throws), Some(held), Some(audit)) =
+            (materials, stowed, throws, held, audit)
         else {
             return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
         };
 
-        let tractors = cut.web.tractor_ring();
         let mut tractor = vec![false; cut.nodes.len()];
-        for &node in &tractors {
+        for &node in &cut.web.tractors {
             tractor[node] = true;
         }
         let gravity = scenario.environment.gravity.si();
-        let system = SystemParts {
+        let mut parts = SystemParts {
             mass: materials.mass,
             held,
             tractor,
@@ -148,15 +158,29 @@ impl Model {
                 mass_damping: scenario.environment.damping.si(),
             },
             ..SystemParts::default()
-        }
-        .build()
-        .map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
+        };
+        let position = stowed.iter().map(|&x| frame * x).collect();
+        let velocity = launch::own_velocities(document, &cut, frame);
+        let mut state = State { position, velocity, ..State::default() };
+        let axis = frame * DVec3::Z;
+        let rigid = (&mut parts, &mut state);
+        bodies::make_rigid(document, &cut, &scenario, &throws, axis, &mut materials.bodies, rigid)?;
+        let centre_of = |knot: usize| {
+            let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
+            body.map_or(knot, |body| body.centre)
+        };
+        let tractors: Vec<usize> = cut.web.tractor_ring().into_iter().map(centre_of).collect();
+        throws.iter_mut().flatten().for_each(|throw| throw.node = centre_of(throw.node));
+        release::throw(&mut throws, &mut parts, &mut state);
+        let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
+        release::spin(turning * axis, &parts, &mut state);
+        release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
+        let system =
+            parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
         let chosen = step_fraction(&system, &limit, &scenario.solve);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
-        let position = stowed.iter().map(|&x| frame * x).collect();
-        let state = State { position, velocity, ..State::default() };
         // the packing knows nothing of laws
         let ropes = RopeState::at_rest(&system, &state.position);
         let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
@@ -178,6 +202,7 @@ impl Model {
             groups: materials.groups,
             tractors,
             bodies: materials.bodies,
+            throws,
             bill: materials.bill,
             audit,
             limit,
@@ -232,7 +257,16 @@ impl Model {
 
     /// What a message calls a node, such as "knot 12".
     pub fn node_label(&self, node: usize) -> String {
-        self.cut.node_label(node)
+        match self.tied_to(node) {
+            Some(knot) => format!("the centre of {}", self.cut.node_label(knot)),
+            None => self.cut.node_label(node),
+        }
+    }
+
+    /// The knot that the rigid body with its centre at `node` is tied to.
+    fn tied_to(&self, node: usize) -> Option<usize> {
+        let body = self.system.bodies().iter().find(|body| body.centre == node)?;
+        body.ties.first().map(|tie| tie.node)
     }
 
     /// The links of the web, as `[assign]` can name them.
@@ -245,8 +279,21 @@ impl Model {
         self.members[segment].is_rope()
     }
 
-    /// The segments of rope that meet at some node of `nodes`.
+    /// The tractors that are rigid bodies, in the order of the corners; none for the others.
+    pub fn tractors_by_corner(&self) -> Vec<Option<(Solid, &Body)>> {
+        let at = |knot: &usize| {
+            let is_it = |placed: &&PlacedBody| {
+                placed.role == Role::Tractor && placed.rigid.is_some() && self.tied_to(placed.node) == Some(*knot)
+            };
+            let placed = self.bodies.iter().find(is_it)?;
+            Some((placed.solid, &self.system.bodies()[placed.rigid?]))
+        };
+        self.cut.web.tractors.iter().map(at).collect()
+    }
+
+    /// The segments of rope that meet at some node of `nodes`, or at what is tied to a body there.
     pub fn ropes_at(&self, nodes: &[usize]) -> Vec<usize> {
+        let nodes: Vec<usize> = nodes.iter().map(|&node| self.tied_to(node).unwrap_or(node)).collect();
         let meets = |s: &Segment| s.ends.iter().any(|end| nodes.contains(end));
         let segments = self.system.segments().iter().enumerate();
         segments.filter(|(i, s)| self.is_rope(*i) && meets(s)).map(|(i, _)| i).collect()
@@ -351,7 +398,7 @@ fn launched_and_held(system: &System, tractors: &[usize]) -> Option<String> {
 
 /// A net at rest that nothing moves.
 fn ill_begun(system: &System, state: &State) -> Option<String> {
-    let still = state.velocity.iter().all(|v| *v == DVec3::ZERO);
+    let still = state.velocity.iter().all(|v| *v == DVec3::ZERO) && system.launchers().is_empty();
     let weightless = system.environment().gravity == DVec3::ZERO;
     let slack = system.segments().iter().all(|s| {
         let [a, b] = s.ends;

@@ -1,0 +1,174 @@
+//! Launchers as a step has them: who is held, who is in its tube, who is free, and what the launcher felt.
+//!
+//! A held node gets the force that balances all others on it. A node in its tube gets the force that balances what acts
+//! across the tube, and the push along it. Both are forces like any other, so positions, velocities, the balance of
+//! energy and the bodies' motion follow from the step itself; the work is summed along the way, trapezoidal rule.
+//!
+//! The end of a tube lies somewhere between two steps. The last push is scaled so that its share of the work, by the same
+//! rule, is that of the way that was left: the muzzle speed is of second order, as the step is.
+//!
+//! A node that is let go gets its half-step velocity as at the start of a run, so that its velocity is the given one at
+//! the step at which it leaves; the work is the energy that it then has.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::StepFactors;
+use super::attached::Moving;
+use crate::launcher::{Launcher, Means, Tube};
+use crate::system::System;
+
+/// How a launch stands: all that its future depends on, and what has come of it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Launching {
+    /// Each launcher's node, (launchers,).
+    pub nodes: Vec<Launched>,
+    /// What the tubes have felt so far.
+    pub recoil: Recoil,
+}
+
+/// How far a launched node is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Launched {
+    /// Whether it is on its way.
+    pub phase: Phase,
+    /// Time at which it left, s, and its speed then, m/s; none before.
+    pub left: Option<(f64, f64)>,
+}
+
+/// Where a launched node is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Phase {
+    /// Held where it is.
+    Held,
+    /// In its tube.
+    Guided,
+    /// Let go at this step.
+    Leaving,
+    /// On its own.
+    Free,
+}
+
+/// The push of all tubes together on what carries them.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Recoil {
+    /// Its impulse so far, N s, world frame.
+    pub impulse: DVec3,
+    /// The largest force, N, and its time, s.
+    pub peak: (f64, f64),
+}
+
+/// What a launcher does to its node at some forces.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Thrust {
+    /// All of it, N.
+    pub force: DVec3,
+    /// Of that, the push along the tube.
+    push: DVec3,
+    /// Where the node is, m.
+    pub place: DVec3,
+    /// The time until it leaves the tube, s, and its speed then, m/s, where it does so in this step.
+    leaves: Option<(f64, f64)>,
+}
+
+impl Launching {
+    /// Before the first step.
+    pub fn starting(system: &System) -> Launching {
+        let phase = |launcher: &Launcher| match (&launcher.by, launcher.at > 0.0) {
+            (Means::Tube(_), false) => Phase::Guided,
+            _ => Phase::Held,
+        };
+        let nodes = system.launchers().iter().map(|launcher| Launched { phase: phase(launcher), left: None });
+        Launching { nodes: nodes.collect(), recoil: Recoil::default() }
+    }
+
+    /// After a step, at `time`, s, the first one of a run where `is_first`: who goes on. Calls `let_go` with each node
+    /// that leaves at a given velocity.
+    pub(super) fn advance(
+        &mut self,
+        launchers: &[Launcher],
+        thrusts: &[Thrust],
+        factors: StepFactors,
+        (time, is_first): (f64, bool),
+        mut let_go: impl FnMut(usize, DVec3),
+    ) {
+        let before = time - factors.dt;
+        let push: DVec3 = thrusts.iter().map(|thrust| thrust.push).sum();
+        // a run's first kick is half a step long
+        self.recoil.impulse -= if is_first { 0.5 } else { 1.0 } * factors.dt * push;
+        // the last push of a tube stands for less or more than a step
+        let is_whole = thrusts.iter().all(|thrust| thrust.leaves.is_none());
+        if is_whole && push.length() > self.recoil.peak.0 {
+            self.recoil.peak = (push.length(), before);
+        }
+        for ((launcher, thrust), Launched { phase, left }) in launchers.iter().zip(thrusts).zip(&mut self.nodes) {
+            match (*phase, &launcher.by) {
+                // steps are where they are to rounding only
+                (Phase::Held, by) if time + 1e-6 * factors.dt >= launcher.at => match by {
+                    Means::Tube(_) => *phase = Phase::Guided,
+                    Means::Velocity(velocity) => {
+                        (*phase, *left) = (Phase::Leaving, Some((time, velocity.length())));
+                        let_go(launcher.node, *velocity);
+                    }
+                },
+                (Phase::Guided, _) => {
+                    if let Some((after, speed)) = thrust.leaves {
+                        (*phase, *left) = (Phase::Free, Some((before + after, speed)));
+                    }
+                }
+                (Phase::Leaving, _) => *phase = Phase::Free,
+                (Phase::Held | Phase::Free, _) => {}
+            }
+        }
+    }
+}
+
+impl Phase {
+    /// Whether a body keeps its attitude, whatever torque there is.
+    pub(super) fn is_guided(self) -> bool {
+        matches!(self, Phase::Held | Phase::Guided)
+    }
+}
+
+/// What a launcher does to its node of `mass`, kg, that moves like this in this phase, where all other forces on it come
+/// to `pulled`, N, at `time`, s.
+pub(super) fn thrust(
+    launcher: &Launcher,
+    phase: Phase,
+    node: Moving,
+    mass: f64,
+    pulled: DVec3,
+    time: f64,
+    factors: StepFactors,
+) -> Thrust {
+    let none = Thrust { place: node.x, ..Thrust::default() };
+    match (phase, &launcher.by) {
+        (Phase::Held, _) => Thrust { force: -pulled, ..none },
+        (Phase::Guided, Means::Tube(tube)) => tube.thrust(node, mass, pulled, time - launcher.at, factors),
+        _ => none,
+    }
+}
+
+impl Tube {
+    fn thrust(&self, node: Moving, mass: f64, pulled: DVec3, time: f64, factors: StepFactors) -> Thrust {
+        let (way, speed, along) =
+            ((node.x - self.breech).dot(self.direction), node.v.dot(self.direction), pulled.dot(self.direction));
+        let mut push = self.push.at(way, time);
+        if way <= 0.0 && speed <= 0.0 && push + along <= 0.0 {
+            // it rests on the breech
+            return Thrust { force: -pulled, place: node.x, ..Thrust::default() };
+        }
+        let next_speed = factors.p * speed + factors.q * ((push + along) / mass);
+        let left = self.stroke - way;
+        let leaves = (factors.dt * next_speed >= left).then(|| {
+            let (last, next) = ((factors.dt * speed).max(0.0), factors.dt * next_speed);
+            let mean = self.push.at(way + 0.5 * left, time);
+            push = (push * last + 2.0 * mean * left) / (last + next);
+            let speed = factors.p * speed + factors.q * ((push + along) / mass);
+            (left / next * factors.dt, speed)
+        });
+        let across = pulled - along * self.direction;
+        let push = push * self.direction;
+        Thrust { force: push - across, push, place: node.x, leaves }
+    }
+}
