@@ -106,6 +106,16 @@ impl<'a> Attached<'a> {
         &self.turning
     }
 
+    /// Torque on each body at the last forces, N m.
+    pub fn torques(&self) -> &[DVec3] {
+        &self.torque
+    }
+
+    /// Bodies turn as in `rotations`, whatever they did before.
+    pub fn restart(&mut self, rotations: &[Rotation]) {
+        self.turning = rotations.iter().copied().map(Turning::starting).collect();
+    }
+
     /// Sums of the last forces.
     pub fn sums(&self) -> AttachedSums {
         self.sums

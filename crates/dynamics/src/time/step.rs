@@ -221,6 +221,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Starts again from another state. The forces are then those of that state.
+    pub fn restart(&mut self, state: &State) {
+        if let Some(attached) = &mut self.attached {
+            attached.restart(&state.rotation);
+        }
+        self.start(state);
+    }
+
     /// Sets the state and the half-step velocities before it.
     fn start(&mut self, state: &State) {
         let system = self.system;
@@ -392,6 +400,18 @@ impl<'a> Stepper<'a> {
         carried_velocities(system, rotation, position, velocity);
     }
 
+    /// Where nodes were half a step before the step that was taken last, midway between two of their positions, and
+    /// how bodies are turned now. What a body carries follows from the latter.
+    pub fn midway(&self, state: &mut State) {
+        let dt = self.factors.dt;
+        for (position, Address { block, slot }) in state.position.iter_mut().zip(self.system.layout().homes()) {
+            let Moving { x, v, w } = self.nodes[*block].moving(*slot);
+            // w = 3/2 v - 1/2 u, u the half-step velocity before v
+            *position = x - dt * (2.5 * v - w);
+        }
+        state.rotation = self.attached.as_ref().map_or(Vec::new(), Attached::rotations);
+    }
+
     /// Velocity of a node at its position, m/s, those of ties apart.
     fn velocity(&self, node: usize) -> DVec3 {
         let Address { block, slot } = self.system.layout().homes()[node];
@@ -401,6 +421,19 @@ impl<'a> Stepper<'a> {
         }
         let (before, a) = (self.half_step_velocity(node), self.acceleration(node));
         DVec3::from_array(std::array::from_fn(|k| self.factors.at_step(before[k], a[k])))
+    }
+
+    /// The force on a node at the last forces, N; zero on one that is held or carried. Only between [`Stepper::forces`]
+    /// and [`Stepper::advance`].
+    pub fn force(&self, node: usize) -> DVec3 {
+        let Address { block, slot } = self.system.layout().homes()[node];
+        let (mass, _) = self.nodes[block].mass(slot);
+        mass * DVec3::from_array(self.acceleration(node))
+    }
+
+    /// The torque on each body at the last forces, N m, (bodies,).
+    pub fn torques(&self) -> &[DVec3] {
+        self.attached.as_ref().map_or(&[], Attached::torques)
     }
 
     /// Tension of a segment at the last forces, N.
