@@ -21,7 +21,7 @@ pub struct Ledger {
     pub elastic: f64,
     /// Potential energy of weight, relative to the origin.
     pub gravity: f64,
-    /// Potential energy of loads, relative to the origin.
+    /// Potential energy of loads that are there from the start, relative to the origin, less the work of the others.
     pub load: f64,
     /// Lost to damping inside ropes since the start.
     pub rope_damping: f64,
@@ -188,6 +188,7 @@ pub(crate) struct Losses {
     sheet: f64,
     rupture: f64,
     mass: Integral,
+    load: f64,
     drive: f64,
 }
 
@@ -196,6 +197,7 @@ impl Losses {
     pub fn add_work(&mut self, sums: &StepSums) {
         self.rope += sums.rope_work;
         self.sheet += sums.sheet_work;
+        self.load += sums.load_work;
         self.drive += sums.drive_work;
     }
 
@@ -211,9 +213,9 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, drive } = *self;
+        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, load, drive } = *self;
         let now = Ledger::of(system, state, ropes);
-        Ledger { rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, ..now }
+        Ledger { load: now.load - load, rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, ..now }
     }
 }
 

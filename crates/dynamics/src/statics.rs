@@ -130,7 +130,8 @@ const LEAST_DAMPING: f64 = 1e-12;
 const STEPS_PER_WORD: u64 = 1000;
 
 /// Looks for the equilibrium of `system` that is reached from `state`, on at most `threads` threads; what comes out is
-/// the same for any number. Driven nodes stay where their paths begin. `progress` says whether to go on.
+/// the same for any number. Driven nodes stay where their paths begin, and what moves in `state` is held until then.
+/// `progress` says whether to go on.
 ///
 /// A part of the net that is [`unsupported`] falls for ever, and is given up after `max_iterations`.
 pub fn relax(
@@ -140,7 +141,7 @@ pub fn relax(
     threads: usize,
     progress: &mut (dyn FnMut(Relaxing) -> bool + Send),
 ) -> Relaxed {
-    let slow = fictitious(system);
+    let slow = fictitious(system, &resting(system, state));
     let mut state = at_rest(system, state);
     let mut net = Stepper::new(&slow, &state, STEP, threads);
     net.team().lead(|| {
@@ -177,29 +178,34 @@ pub fn relax(
     })
 }
 
-/// Loads and weights of all that is free to move.
-fn all_loads(system: &System) -> Vec<Load> {
+/// Whether each node stays where it is: held, or thrown only later.
+fn resting(system: &System, state: &State) -> Vec<bool> {
+    system.held().iter().zip(&state.velocity).map(|(held, velocity)| *held || *velocity != DVec3::ZERO).collect()
+}
+
+/// Weights of all that is free to move, and the loads that act on it before a run in time begins.
+fn all_loads(system: &System, resting: &[bool]) -> Vec<Load> {
     let gravity = system.environment().gravity;
-    let weights = system.mass().iter().enumerate().map(|(node, &mass)| Load { node, force: mass * gravity });
-    let all = system.loads().iter().copied().chain(weights);
-    all.filter(|load| !system.held()[load.node] && load.force != DVec3::ZERO).collect()
+    let weights = system.mass().iter().enumerate().map(|(node, &mass)| Load { node, force: mass * gravity, ramp: 0.0 });
+    let all = system.loads().iter().filter(|load| load.is_steady()).copied().chain(weights);
+    all.filter(|load| !resting[load.node] && load.force != DVec3::ZERO).collect()
 }
 
 /// The same net with fictitious masses, and nothing that moves by itself.
-fn fictitious(system: &System) -> System {
+fn fictitious(system: &System, resting: &[bool]) -> System {
     let slow_to_turn = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
     let mut unit_mass = vec![1.0; system.mass().len()];
     system.bodies().iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
     let mut parts = SystemParts {
         mass: unit_mass,
-        held: system.held().to_vec(),
+        held: resting.to_vec(),
         tractor: system.tractor().to_vec(),
         segments: system.segments().iter().map(|s| slow_to_move(system, s)).collect(),
         laws: system.laws().iter().map(Law::lasting).collect(),
         bends: system.bends().to_vec(),
         membranes: system.membranes().to_vec(),
         hinges: system.hinges().to_vec(),
-        loads: all_loads(system),
+        loads: all_loads(system, resting),
         bodies: system.bodies().iter().map(slow_to_turn).collect(),
         drives: Vec::new(),
         environment: Environment { gravity: DVec3::ZERO, mass_damping: LEAST_DAMPING },
@@ -226,8 +232,8 @@ fn arm_squared(body: &Body) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// The first part of the net that bears a load and is held nowhere, if there is one.
-pub fn unsupported(system: &System) -> Option<Unsupported> {
+/// The first part of the net that bears a load and is held nowhere, if there is one; see [`relax`].
+pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     let nodes = system.mass().len();
     let mut parts = Parts((0..nodes).collect());
     for s in system.segments() {
@@ -240,10 +246,11 @@ pub fn unsupported(system: &System) -> Option<Unsupported> {
         body.ties.iter().for_each(|tie| parts.join(tie.node, body.centre));
     }
     let mut held = vec![false; nodes];
-    for node in (0..nodes).filter(|&node| system.held()[node]) {
+    let resting = resting(system, state);
+    for node in (0..nodes).filter(|&node| resting[node]) {
         held[parts.of(node)] = true;
     }
-    let loads = all_loads(system);
+    let loads = all_loads(system, &resting);
     let mut sums = vec![DVec3::ZERO; nodes];
     for load in &loads {
         sums[parts.of(load.node)] += load.force;
@@ -323,6 +330,10 @@ mod tests {
         Segment { ends, rest_length, stiffness, damping: 0.3, class: 0, breaking: Breaking::NEVER }
     }
 
+    fn load(node: usize, force: DVec3) -> Load {
+        Load { node, force, ramp: 0.0 }
+    }
+
     /// Nodes at `position` of which those with mass 0 are held, and ropes between them, under a gravity of 10 m/s^2.
     fn net(mass: &[f64], position: &[DVec3], segments: Vec<Segment>) -> (SystemParts, State) {
         let parts = SystemParts {
@@ -334,7 +345,7 @@ mod tests {
             environment: Environment { gravity: DVec3::new(0.0, 0.0, -10.0), mass_damping: 0.5 },
             ..SystemParts::default()
         };
-        let velocity = vec![DVec3::X; mass.len()];
+        let velocity = vec![DVec3::ZERO; mass.len()];
         (parts, State { position: position.to_vec(), velocity, ..State::default() })
     }
 
@@ -344,7 +355,7 @@ mod tests {
 
     #[test]
     fn a_weight_on_a_rope_stretches_it_by_what_it_weighs() {
-        // thrown to the side and slack at first: it comes to hang below, 3 kg * 10 m/s^2 / (600 N/m) lower than unloaded
+        // slack and beside its place at first: it comes to hang below, 3 kg * 10 m/s^2 / (600 N/m) lower than unloaded
         let (parts, state) = net(&[0.0, 3.0], &[DVec3::ZERO, 0.7 * DVec3::X], vec![rope([0, 1], 1.0, 600.0)]);
         let found = rest(parts, &state);
         assert_eq!(found.stopped, None);
@@ -356,8 +367,8 @@ mod tests {
     fn loads_in_balance_need_no_support() {
         let (mut parts, state) = net(&[1.0, 1.0], &[DVec3::ZERO, DVec3::X], vec![rope([0, 1], 1.0, 200.0)]);
         parts.environment.gravity = DVec3::ZERO;
-        parts.loads = vec![Load { node: 0, force: -8.0 * DVec3::X }, Load { node: 1, force: 8.0 * DVec3::X }];
-        assert_eq!(unsupported(&parts.clone().build().unwrap()), None);
+        parts.loads = vec![load(0, -8.0 * DVec3::X), load(1, 8.0 * DVec3::X)];
+        assert_eq!(unsupported(&parts.clone().build().unwrap(), &state), None);
         let found = rest(parts, &state);
         assert!((found.state.position[1] - found.state.position[0] - 1.04 * DVec3::X).length() < 1e-9);
     }
@@ -366,9 +377,9 @@ mod tests {
     fn what_nothing_holds_is_found_with_what_it_bears() {
         let ropes = vec![rope([0, 1], 1.0, 600.0), rope([2, 3], 1.0, 600.0)];
         let (mut parts, state) = net(&[0.0, 1.0, 2.0, 2.0], &[DVec3::ZERO; 4], ropes);
-        parts.loads = vec![Load { node: 3, force: 10.0 * DVec3::Z }];
+        parts.loads = vec![load(3, 10.0 * DVec3::Z)];
         let system = parts.build().unwrap();
-        assert_eq!(unsupported(&system), Some(Unsupported { node: 2, load: 30.0 }));
+        assert_eq!(unsupported(&system, &state), Some(Unsupported { node: 2, load: 30.0 }));
         let few = Accuracy { max_iterations: 3000, ..TIGHT };
         let found = relax(&system, &state, &few, 1, &mut |_| true);
         assert_eq!(found.stopped, Some(StaticsError::NotConverged { iterations: 3000 }));
@@ -392,6 +403,16 @@ mod tests {
         let [_, centre, tie] = found.state.position[..] else { unreachable!() };
         assert!((tie - DVec3::new(0.0, 0.0, -1.005)).length() < 1e-6, "{tie}");
         assert!((centre - DVec3::new(0.0, 0.0, -1.505)).length() < 1e-6, "{centre}");
+    }
+
+    #[test]
+    fn what_is_thrown_later_is_held_until_then() {
+        let ropes = vec![rope([0, 1], 1.0, 600.0), rope([1, 2], 1.0, 600.0)];
+        let (parts, mut state) = net(&[1.0, 3.0, 1.0], &[DVec3::ZERO, DVec3::X, DVec3::X], ropes);
+        state.velocity[0] = 5.0 * DVec3::Z;
+        let found = rest(parts, &state);
+        assert_eq!((found.stopped, found.state.position[0]), (None, DVec3::ZERO));
+        assert!((found.state.position[1].z + 1.0 + 40.0 / 600.0).abs() < 1e-6);
     }
 
     #[test]

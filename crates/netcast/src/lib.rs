@@ -20,6 +20,7 @@ pub mod bench;
 mod compare;
 mod inputs;
 mod landmarks;
+mod rest;
 mod run;
 mod values;
 

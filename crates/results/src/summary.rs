@@ -27,6 +27,9 @@ pub struct Summary {
     pub model: Model,
     /// The time step.
     pub step: Step,
+    /// How well forces are in balance; none where no equilibrium was asked for.
+    #[serde(rename = "static")]
+    pub statics: Option<Statics>,
     /// How far and how long the web opened.
     pub opening: Opening,
     /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
@@ -77,6 +80,23 @@ pub struct Step {
     pub limited_by: Option<String>,
     /// What would allow a larger one, in words.
     pub lifted_by: Option<String>,
+}
+
+/// The equilibrium, alone or at the start of a run.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Statics {
+    /// The largest force out of balance on a node that is free to move, N.
+    pub residual_n: Option<f64>,
+    /// The same over the largest tension or load.
+    pub residual_relative: Option<f64>,
+    /// The node on which it acts, in words.
+    pub residual_where: Option<String>,
+    /// The relative residual that was asked for.
+    pub tolerance: f64,
+    /// Iterations that it took.
+    pub iterations: u64,
+    /// Whether a run in time begins from it.
+    pub then_run: bool,
 }
 
 /// How far the web opened, and for how long.
@@ -302,6 +322,7 @@ impl Summary {
         }
         require_finite("model", &self.model)?;
         require_finite("step", &self.step)?;
+        require_finite("static", &self.statics)?;
         require_finite("opening", &self.opening)?;
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;

@@ -130,6 +130,11 @@ impl Check<'_> {
 
     fn array(&mut self, elements: &[Node], schema: &Schema, path: &Path) {
         let Some(items) = schema.get("items").and_then(Json::as_object) else { return };
+        if let Some(count) =
+            schema.get("maxItems").and_then(Json::as_u64).filter(|count| *count != elements.len() as u64)
+        {
+            self.at_value(path, format!("expected {count} values, found {}", elements.len()), None);
+        }
         for (index, element) in elements.iter().enumerate() {
             self.value(element, items, &path.index(index));
         }

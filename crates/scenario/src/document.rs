@@ -1,9 +1,10 @@
 //! A scenario that was read and checked, with the files it names and the text it came from.
 
+use std::collections::BTreeMap;
 use std::path::Path as FilePath;
 
 use crate::check;
-use crate::csv_files::{GraphFiles, RopeTables, StowRow, read_graph, read_rope_tables, read_stow};
+use crate::csv_files::{GraphFiles, PathRow, RopeTables, StowRow, read_graph, read_paths, read_rope_tables, read_stow};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
@@ -30,6 +31,8 @@ pub struct Document {
     pub stowed: Option<Vec<StowRow>>,
     /// The files of `[rope.law.table]`.
     pub rope_tables: RopeTables,
+    /// The files of `[drive.NAME]`, by name.
+    pub paths: BTreeMap<String, Vec<PathRow>>,
 }
 
 impl Document {
@@ -60,11 +63,12 @@ impl Document {
         let graph = read_graph(&written, &mut found);
         let stowed = read_stow(&written, &mut found);
         let rope_tables = read_rope_tables(&written, &mut found);
+        let paths = read_paths(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed, rope_tables })
+        Ok(Self { written, library, scenario, graph, stowed, rope_tables, paths })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

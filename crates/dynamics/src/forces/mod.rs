@@ -14,7 +14,7 @@
 //! | breaking | [`breaking`] | rupture |
 //! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | air |
 //! | weight | [`gravity`] | gravity |
-//! | constant forces on nodes | [`load`] | load |
+//! | forces given on nodes | [`load`] | load |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
 //! What joins a few nodes beside ropes is an [`element`]. The ledger ([`crate::energy::Ledger`]) has a field for each channel.

@@ -99,7 +99,8 @@ impl<'a> Readable<'a> {
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
-            attached.act(&Team::default(), |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
+            let time = self.taken as f64 * dt;
+            attached.act(&Team::default(), time, |node| Moving { x: x[node], v: DVec3::ZERO, w: w[node] });
             let mut with_ropes = attached.force().to_vec();
             law::add_force(system, &self.pulls, &mut with_ropes);
             attached.couple(|node, _| with_ropes[node], |node| x[node]);

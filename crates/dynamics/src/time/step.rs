@@ -100,6 +100,8 @@ pub struct StepSums {
     pub rope_work: f64,
     /// Power lost to mass-proportional damping at the step before, W.
     pub mass_power: f64,
+    /// Work of the loads that are brought up in time, since the forces before, J.
+    pub load_work: f64,
     /// Work done on what drives nodes since the forces before, J.
     pub drive_work: f64,
     /// Work lost inside sheets since the forces before, J.
@@ -323,7 +325,7 @@ impl<'a> Stepper<'a> {
         let Some(attached) = &mut self.attached else { return };
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
-        attached.act(&self.team, moving);
+        attached.act(&self.team, self.taken as f64 * dt, moving);
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
             |node| moving(node).x,
@@ -342,11 +344,12 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { drive_work, turning, bending_work, sheet_work } =
+        let AttachedSums { load_work, drive_work, turning, bending_work, sheet_work } =
             self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
             mass_power: self.system.environment().mass_damping * (squares + turning),
+            load_work,
             drive_work,
             sheet_work,
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
