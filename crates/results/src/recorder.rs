@@ -278,10 +278,9 @@ impl<'r> Recorder<'r> {
         (opening.shadow_area_max_m2, opening.shadow_area_max_time_s) = (shadow.value(), shadow.time());
         tension.by_rope = by_rope;
         let (ledger, balance) = (outcome.ledger, outcome.balance);
-        let stored = ledger.kinetic + ledger.elastic + ledger.gravity;
         let energy = Energy {
             initial_j: balance.initial(),
-            final_j: stored,
+            final_j: ledger.stored(),
             closure: balance.closure(),
             closure_web: Some(balance.closure_web()),
             channels: ledger.channels().into_iter().map(|(name, energy)| (name.to_owned(), energy)).collect(),
