@@ -1,13 +1,13 @@
 //! Equilibrium under weight, loads and pretension, by dynamic relaxation with kinetic damping.
 //!
 //! A net of fictitious masses is let go where it is and runs in time. Whenever its kinetic energy has passed a maximum
-//! all velocities are set to zero, and it is let go again from where it was then: a single oscillator is then at rest, for its
-//! energy is largest where its force vanishes. A little friction in segments, c = b k, takes the fast motions of single
-//! nodes away, whose maxima would stop the slow ones again and again. Masses are such that the stable step is the same
-//! at every node, and the stiffest and the softest part of a net take equally long:
+//! all velocities are set to zero, and it is let go again from where it was then: a single oscillator is then at rest,
+//! for its energy is largest where its force vanishes. A little friction in segments, c = b k, takes the fast motions
+//! of single nodes away, whose maxima would stop the slow ones again and again. Masses are such that the stable step is
+//! the same at every node, and the stiffest and the softest part of a net take equally long:
 //!
 //! ```text
-//! m = K (dt/f)^2 / 2 + 2 C dt/f        K, C = the sums of k and c over what meets at a node, f = the share of the stable step
+//! m = K (dt/f)^2 / 2 + 2 C dt/f        K, C: sums of k and c over what meets at a node; f: the share of the stable step
 //! ```
 //!
 //! A body turns with the moment of inertia m r^2, r being its longest arm. Weight acts as loads. What is out of balance
@@ -18,7 +18,7 @@
 //! Ropes have the tensions that last ([`Law::lasting`]), and do not break.
 //!
 //! Sources: Cundall, Explicit finite-difference methods in geomechanics, 1976 (kinetic damping); Barnes, Int. J. Space
-//! Struct. 14, 1999, equations 1-9; Topping and Khan, Dynamic relaxation method, 1994. docs/theory/statics.md.
+//! Struct. 14, 1999, 89-104. Derivation and measurements: docs/theory/statics.md.
 
 use glam::DVec3;
 
@@ -310,7 +310,7 @@ fn residual(net: &Stepper) -> Residual {
     let mut residual = Residual { force: 0.0, node: 0, largest: loads.chain(tensions).fold(0.0, f64::max) };
     for (node, force) in on_nodes.chain(on_bodies) {
         // a force that is not a number stays
-        if !(force <= residual.force) {
+        if force > residual.force || force.is_nan() {
             (residual.force, residual.node) = (force, node);
         }
     }
