@@ -111,8 +111,8 @@ fn what_does_not_fit_is_told_with_its_place() {
         ),
         "",
         &[
-            "drive.b.path[1]: expected a time after that of the point before",
             "drive.b: knot 13 is moved by another drive already",
+            "drive.b.path[1]: expected a time after that of the point before",
         ],
     );
 }
