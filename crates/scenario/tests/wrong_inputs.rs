@@ -71,7 +71,7 @@ fn an_unknown_key_names_the_nearest() {
     assert_eq!(
         slip("segment_length", "segment_lenght"),
         "net.toml:41:1: solve.segment_lenght: unknown key `segment_lenght` (did you mean `segment_length`? known here: \
-         duration, segment_length, step_fraction, energy_tolerance, web_energy_tolerance, on_energy_error)"
+         duration, static, segment_length, step_fraction, energy_tolerance, web_energy_tolerance, on_energy_error)"
     );
     // a misspelt required key is reported once, not also as missing
     assert!(slip("duration", "duraton").contains("did you mean `duration`?"));
