@@ -1,4 +1,4 @@
-//! The hanging net, run until it rests, against its static equilibrium found in another way: the least of the
+//! The hanging net, run until it rests and by `[solve.static]`, against its static equilibrium found in another way: the least of the
 //! potential energy of lumped masses and tension-only springs, by Newton's method. The net is built anew here from its
 //! dimensions.
 
@@ -139,4 +139,20 @@ fn the_hanging_net_comes_to_rest_in_its_static_equilibrium() {
     );
     assert!(worst < 1e-3, "{worst}");
     assert!(exact[middle].z < -0.05, "the net does not sag");
+}
+
+#[test]
+fn dynamic_relaxation_finds_the_equilibrium_of_newtons_method() {
+    let run = Run::example("05_hanging_net/hanging_net.toml", &["solve.static={tolerance=1e-9}"]);
+    let exact = Grid::new().rest();
+    let misses = run.fields.positions(0).iter().zip(&exact).map(|(found, exact)| found.distance(*exact));
+    let worst = misses.fold(0.0, f64::max);
+    let found = run.summary.statics.as_ref().expect("an equilibrium");
+    println!(
+        "{} iterations, residual {:.1e}: knots within {worst:.1e} m, sag {:.6} m",
+        found.iterations,
+        found.residual_relative.unwrap(),
+        -exact[exact.len() / 2].z
+    );
+    assert!(worst < 1e-6, "{worst}");
 }

@@ -25,8 +25,16 @@ impl Bar {
 
     /// Moves the bar.
     pub fn tell(&self, progress: Progress) {
-        self.0.set_position((MARKS as f64 * progress.time_s / progress.end_s) as u64);
-        self.0.set_message(format!("{:.3} of {:.3} s", progress.time_s, progress.end_s));
+        let (share, message) = match progress {
+            // residuals fall by about the same factor again and again
+            Progress::Relaxing { iterations, residual, tolerance } => (
+                residual.min(1.0).ln() / tolerance.ln(),
+                format!("equilibrium: {residual:.1e} out of balance after {iterations} iterations"),
+            ),
+            Progress::Running { time_s, end_s } => (time_s / end_s, format!("{time_s:.3} of {end_s:.3} s")),
+        };
+        self.0.set_position((MARKS as f64 * share) as u64);
+        self.0.set_message(message);
     }
 
     /// Takes the bar away.

@@ -21,7 +21,7 @@ pub struct Ledger {
     pub elastic: f64,
     /// Potential energy of weight, relative to the origin.
     pub gravity: f64,
-    /// Potential energy of loads, relative to the origin.
+    /// Potential energy of loads that are there from the start, relative to the origin, less the work of the others.
     pub load: f64,
     /// Lost to damping inside ropes since the start.
     pub rope_damping: f64,
@@ -192,6 +192,7 @@ pub(crate) struct Losses {
     sheet: f64,
     rupture: f64,
     mass: Integral,
+    load: f64,
     drive: f64,
     launch: f64,
 }
@@ -201,6 +202,7 @@ impl Losses {
     pub fn add_work(&mut self, sums: &StepSums) {
         self.rope += sums.rope_work;
         self.sheet += sums.sheet_work;
+        self.load += sums.load_work;
         self.drive += sums.drive_work;
         self.launch += sums.launch_work;
     }
@@ -217,9 +219,10 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, drive, launch } = *self;
+        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, load, drive, launch } = *self;
         let now = Ledger::of(system, state, ropes);
-        Ledger { rope_damping, sheet_damping, rupture, mass_damping: mass.value, drive, launch, ..now }
+        let (load, mass_damping) = (now.load - load, mass.value);
+        Ledger { load, rope_damping, sheet_damping, rupture, mass_damping, drive, launch, ..now }
     }
 }
 

@@ -62,5 +62,6 @@ pub mod limits;
 pub mod simulate;
 pub mod snapshot;
 pub mod state;
+pub mod statics;
 pub mod system;
 pub mod time;

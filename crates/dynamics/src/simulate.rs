@@ -49,6 +49,11 @@ impl Schedule {
         Schedule { dt, count: count as u64, steps_per_record: steps as u64, record_every, end }
     }
 
+    /// No step: the start is recorded, as at the start of steps of `dt`.
+    pub fn at_start(record_every: f64, dt: f64) -> Schedule {
+        Schedule { dt, count: 0, steps_per_record: 1, record_every, end: 0.0 }
+    }
+
     /// Time of a step, s. Records fall on whole multiples of `record_every`.
     pub fn time(&self, step: u64) -> f64 {
         if step == self.count {

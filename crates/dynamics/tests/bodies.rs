@@ -31,7 +31,7 @@ fn pivoted(inertia: DVec3, weight: f64, arm: DVec3, turned: DQuat, spin: DVec3) 
     let at = net.node(turned * arm, DVec3::ZERO);
     let pivot = net.body(DVec3::ZERO, DVec3::ZERO, 1.0, inertia, (turned, spin), &[at]);
     net.parts.held[pivot] = true;
-    net.parts.loads = vec![Load { node: at, force: DVec3::NEG_Z * weight }];
+    net.parts.loads = vec![Load { node: at, force: DVec3::NEG_Z * weight, ramp: 0.0 }];
     (net.build(), net)
 }
 
@@ -216,5 +216,20 @@ fn what_drives_a_node_does_the_work_that_the_net_gains() {
     let schedule = Schedule::new(1.2, 0.01, 0.2 * step_limit(&system).dt);
     let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
     assert!(outcome.ledger.drive < -0.1, "the drive has done {} J", -outcome.ledger.drive);
+    assert!(outcome.balance.closure() < 2e-3, "{}", outcome.balance.closure());
+}
+
+#[test]
+fn a_load_that_is_brought_up_does_the_work_that_the_net_gains() {
+    // a level rope between held ends, pulled down at its middle within 0.2 s
+    let rope = Material { axial_stiffness: 2e4, mass_per_length: 0.05, damping_ratio: 0.1 };
+    let mut net = Net::rope(1.0, 10, rope);
+    (net.parts.held[0], net.parts.held[10]) = (true, true);
+    net.parts.loads = vec![Load { node: 5, force: DVec3::new(3.0, 2.0, -100.0), ramp: 0.2 }];
+    net.parts.environment.gravity = DVec3::NEG_Z * GRAVITY;
+    let system = net.build();
+    let schedule = Schedule::new(0.5, 0.01, 0.2 * step_limit(&system).dt);
+    let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
+    assert!(outcome.ledger.load < -1.0, "the load has done {} J", -outcome.ledger.load);
     assert!(outcome.balance.closure() < 2e-3, "{}", outcome.balance.closure());
 }

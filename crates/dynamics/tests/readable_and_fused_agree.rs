@@ -62,7 +62,9 @@ fn attach(net: &mut nets::Net, driven: usize) {
     let middle = 0.5 * (net.state.position[ties[0]] + net.state.position[ties[1]]);
     let inertia = DVec3::new(0.02, 0.03, 0.04);
     let centre = net.body(middle, 3.0 * DVec3::X, 0.5, inertia, (DQuat::IDENTITY, DVec3::new(5.0, -3.0, 20.0)), &ties);
-    net.parts.loads = [centre, driven, 1].map(|node| Load { node, force: DVec3::new(1.0, -2.0, 0.5) }).into();
+    net.parts.loads = [centre, driven, 1]
+        .map(|node| Load { node, force: DVec3::new(1.0, -2.0, 0.5), ramp: 1e-4 * node as f64 })
+        .into();
     let flat = [DVec2::ZERO, DVec2::X, DVec2::new(0.4, 0.8), DVec2::new(0.5, -0.7)];
     let elasticity = Elasticity::isotropic(1e6, 0.3);
     let fabric = Fabric { elasticity, thickness: 1e-3, compresses: false, damping_time: 1e-4 };

@@ -21,6 +21,7 @@ mod compare;
 mod inputs;
 mod landmarks;
 mod launched;
+mod rest;
 mod run;
 mod values;
 

@@ -19,6 +19,7 @@ use netcast_scenario::{Diagnostics, Document};
 use crate::inputs::Inputs;
 use crate::landmarks::landmarks;
 use crate::launched::launched;
+use crate::rest::{Rest, equilibrium};
 
 /// How a run is carried out; nothing here changes its results.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,11 +41,23 @@ impl Default for RunOptions {
 
 /// How far a run is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Progress {
-    /// Time simulated so far, s.
-    pub time_s: f64,
-    /// Time at which the run ends, s.
-    pub end_s: f64,
+pub enum Progress {
+    /// On the way to its equilibrium.
+    Relaxing {
+        /// Iterations so far.
+        iterations: u64,
+        /// Largest force out of balance, over the largest tension or load.
+        residual: f64,
+        /// The residual that is asked for.
+        tolerance: f64,
+    },
+    /// In time.
+    Running {
+        /// Time simulated so far, s.
+        time_s: f64,
+        /// Time at which the run ends, s.
+        end_s: f64,
+    },
 }
 
 /// A run that was carried out, to its end or not.
@@ -137,7 +150,10 @@ pub enum RunError {
 /// When a model's steps and records happen.
 pub fn schedule(model: &Model) -> Schedule {
     let every = model.scenario.record.every.si();
-    Schedule::new(model.scenario.solve.duration.si(), every, model.largest_dt())
+    match model.scenario.solve.run_time() {
+        Some(duration) => Schedule::new(duration, every, model.largest_dt()),
+        None => Schedule::at_start(every, model.largest_dt()),
+    }
 }
 
 /// Records from one frame of the fields to the next.
@@ -187,11 +203,20 @@ pub fn run(
     let landmarks = landmarks(&model);
     landmarks.write(&folder.path().join(folder::LANDMARKS))?;
 
+    let rest = equilibrium(&model, options.threads, progress, interrupted);
+    let schedule = match &rest {
+        Some(rest) if !rest.is_found() => Schedule::at_start(schedule.record_every, schedule.dt),
+        _ => schedule,
+    };
     let fields_every = fields_every(&model);
     let end_s = schedule.time(schedule.count);
-    let mut tell = |time_s: f64| progress(Progress { time_s, end_s });
-    let (system, state) = (&model.system, &model.state);
-    let recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
+    let mut tell = |time_s: f64| progress(Progress::Running { time_s, end_s });
+    let system = &model.system;
+    let state = &rest.as_ref().map_or_else(|| model.state.clone(), |rest| rest.start(&model));
+    let mut recorder = Recorder::new(system, state, landmarks, fields_every, &mut tell, interrupted)?;
+    if model.scenario.solve.run_time().is_none() {
+        recorder = recorder.travelling_from(&model.state.position, state);
+    }
     let recorder = recorder.hold_to(limits(&model.scenario.solve));
     let wall_time_before = checkpoint.as_ref().map_or(Duration::ZERO, Checkpoint::wall_time);
     let checkpoints = Checkpoints { every: options.checkpoint_every, input_hash, wall_time_before, clock };
@@ -215,7 +240,7 @@ pub fn run(
     let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()));
     let ran = recording.map_err(RunError::from).and_then(|recording| {
         manifest.wall_time_s = (wall_time_before + clock.elapsed()).as_secs_f64();
-        Ended { model: &model, schedule: &schedule, outcome, recording }.publish(folder, &manifest)
+        Ended { model: &model, schedule: &schedule, rest, outcome, recording }.publish(folder, &manifest)
     });
     ran.map_err(|source| RunError::CutOff { source: Box::new(source), folder: kept })
 }
@@ -259,6 +284,7 @@ fn left_behind(
 struct Ended<'m> {
     model: &'m Model,
     schedule: &'m Schedule,
+    rest: Option<Rest>,
     outcome: Outcome,
     recording: Recording,
 }
@@ -282,11 +308,12 @@ impl Ended<'_> {
     /// Why it failed, if it did, and what the reader should know.
     fn verdict(&self) -> (Option<Failure>, Vec<String>) {
         let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
+        let unrest = self.rest.as_ref().and_then(|rest| rest.failure(self.model)).map(Failure::Stopped);
         // a run that came apart says so, and what mends it
         let came_apart = matches!(stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
         let missed = if came_apart { None } else { self.unresolved().or_else(|| self.unbalanced()) };
         let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
-        let stopped = stopped.map(|error| Failure::Stopped(in_words(self.model, error)));
+        let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
         let mut warnings = self.model.notes.clone();
         warnings.extend(stopped.iter().chain(&missed).map(Failure::to_string));
         (stopped.or(missed.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
@@ -332,13 +359,13 @@ impl Ended<'_> {
     }
 
     fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
-        let Ended { model, schedule, outcome, recording } = self;
+        let Ended { model, schedule, rest, outcome, recording } = self;
         let (system, bill) = (&model.system, &model.bill);
         Summary {
             title: model.scenario.title.clone(),
             netcast: env!("CARGO_PKG_VERSION").to_owned(),
             wall_time_s,
-            finished: outcome.stopped.is_none(),
+            finished: outcome.stopped.is_none() && rest.as_ref().is_none_or(Rest::is_found),
             model: summary::Model {
                 nodes: system.mass().len(),
                 segments: system.segments().len(),
@@ -353,6 +380,7 @@ impl Ended<'_> {
                 lifted_by: model.step_lift(),
             },
             launch: launched(model, &outcome),
+            statics: rest.as_ref().map(|rest| rest.summary(model)),
             opening: recording.opening,
             points: recording.points,
             tension: recording.tension,

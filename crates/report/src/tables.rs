@@ -3,13 +3,18 @@
 use serde_json::Value;
 
 use crate::format::{Scale, duration, escape, percent, significant, time, with_prefix};
+use crate::words::is_equilibrium;
 
 /// What stands where a scenario has no such thing.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
 
 /// All tables of a summary as one piece of HTML.
 pub(crate) fn tables(summary: &Value) -> String {
+    if is_equilibrium(summary) {
+        return [equilibrium(summary), tension(summary), ropes(summary), model(summary)].concat();
+    }
     [
+        equilibrium(summary),
         opening(summary),
         points(summary),
         tension(summary),
@@ -19,6 +24,24 @@ pub(crate) fn tables(summary: &Value) -> String {
         model(summary),
     ]
     .concat()
+}
+
+fn equilibrium(summary: &Value) -> String {
+    let found = &summary["static"];
+    if found.is_null() {
+        return String::new();
+    }
+    let shares = |key: &str| found[key].as_f64().map(|share| format!("{share:.1e}"));
+    pairs(
+        "Equilibrium",
+        &[
+            ("Largest force out of balance", found["residual_n"].as_f64().map(|force| with_prefix(force, "N"))),
+            ("It acts on", found["residual_where"].as_str().map(str::to_owned)),
+            ("Over the largest tension or load", shares("residual_relative")),
+            ("Asked for", shares("tolerance")),
+            ("Iterations", found["iterations"].as_u64().map(|count| count.to_string())),
+        ],
+    )
 }
 
 fn opening(summary: &Value) -> String {

@@ -17,10 +17,17 @@ use crate::format::{percent, significant, time, with_prefix};
 /// assert_eq!(netcast_report::words(&summary)[0], "Opens to 15.8 m² (97 % of the flat web) at 0.131 s.");
 /// ```
 pub fn words(summary: &Value) -> Vec<String> {
+    if is_equilibrium(summary) {
+        let mut timeless = summary.clone();
+        timeless["tension"]["max_time_s"] = Value::Null;
+        let told: [Sentence; 5] = [balance, area_at_rest, middle_at_rest, hardest_pull, worst_rope];
+        return told.iter().filter_map(|sentence| sentence(&timeless)).collect();
+    }
     let told: &[Sentence] = match summary["energy"]["closure"].as_f64() {
         Some(closure) if closure > CAME_APART => &[unfinished, energy],
         _ => &[
             unfinished,
+            balance,
             launch,
             opening,
             effective_opening,
@@ -38,6 +45,11 @@ pub fn words(summary: &Value) -> Vec<String> {
         ],
     };
     told.iter().filter_map(|sentence| sentence(summary)).collect()
+}
+
+/// Whether the equilibrium is all there is: nothing has happened.
+pub(crate) fn is_equilibrium(summary: &Value) -> bool {
+    summary["static"].is_object() && summary["step"]["count"].as_u64() == Some(0)
 }
 
 type Sentence = fn(&Value) -> Option<String>;
@@ -88,6 +100,40 @@ fn launch(summary: &Value) -> Option<String> {
         told += &format!("; the recoil is up to {}, {} N s in all", with_prefix(peak, "N"), significant(impulse));
     }
     Some(told + ".")
+}
+
+fn balance(summary: &Value) -> Option<String> {
+    let found = &summary["static"];
+    let (relative, tolerance) = (found["residual_relative"].as_f64(), found["tolerance"].as_f64()?);
+    let iterations = format!("after {} iterations", found["iterations"].as_u64()?);
+    let force = found["residual_n"].as_f64().map(|force| with_prefix(force, "N")).unwrap_or("no finite force".into());
+    let place = found["residual_where"].as_str().map(|place| format!(" at {place}")).unwrap_or_default();
+    Some(match relative.filter(|relative| *relative <= tolerance) {
+        Some(relative) => {
+            let what = if is_equilibrium(summary) { "Hangs" } else { "Starts" };
+            format!(
+                "{what} in equilibrium: {force}{place} is out of balance, {relative:.1e} of the largest tension or \
+                load, {iterations}."
+            )
+        }
+        None => {
+            format!("Is not in equilibrium {iterations}: {force} is out of balance{place}. Do not trust these numbers.")
+        }
+    })
+}
+
+fn area_at_rest(summary: &Value) -> Option<String> {
+    let opening = &summary["opening"];
+    let area = opening["area_max_m2"].as_f64()?;
+    let share = opening["reference_area_m2"].as_f64().filter(|reference| *reference > 0.0);
+    let share = share.map(|reference| format!(" ({} of the flat web)", percent(area / reference)));
+    Some(format!("Encloses {} m², seen along the launch axis{}.", significant(area), share.unwrap_or_default()))
+}
+
+fn middle_at_rest(summary: &Value) -> Option<String> {
+    let travel = summary["points"]["centre"]["peak_travel_m"].as_f64().filter(|travel| *travel != 0.0)?;
+    let side = if travel < 0.0 { "behind" } else { "ahead of" };
+    Some(format!("The middle lies {} m {side} its place as drawn, along the launch axis.", significant(travel.abs())))
 }
 
 fn opening(summary: &Value) -> Option<String> {
@@ -322,6 +368,32 @@ mod tests {
         let told = words(&summary);
         assert_eq!(told.len(), 2, "{told:?}");
         assert!(told[0].starts_with("The run stopped") && told[1].contains("do not trust"));
+    }
+
+    #[test]
+    fn of_an_equilibrium_no_story_is_told() {
+        let mut summary = full();
+        summary["step"] = json!({"count": 0});
+        summary["points"]["centre"] = json!({"peak_travel_m": -0.695});
+        summary["static"] = json!({"residual_n": 6.2e-6, "residual_relative": 4.3e-7, "residual_where": "knot 6",
+                                   "tolerance": 1e-6, "iterations": 945});
+        let told = words(&summary);
+        assert_eq!(
+            told[..4],
+            [
+                "Hangs in equilibrium: 6.20e-6 N at knot 6 is out of balance, 4.3e-7 of the largest tension or load, after \
+                 945 iterations.",
+                "Encloses 15.8 m², seen along the launch axis (97 % of the flat web).",
+                "The middle lies 0.695 m behind its place as drawn, along the launch axis.",
+                "The hardest pulled rope is an outline rope: 51.0 kN.",
+            ]
+        );
+        assert_eq!(told.len(), 5);
+        summary["static"]["residual_relative"] = json!(1e-3);
+        assert!(words(&summary)[0].contains("not in equilibrium") && words(&summary)[0].contains("Do not trust"));
+        summary["step"]["count"] = json!(100);
+        summary["static"]["residual_relative"] = json!(1e-7);
+        assert!(words(&summary)[0].starts_with("Starts in equilibrium") && words(&summary).len() == 13);
     }
 
     #[test]

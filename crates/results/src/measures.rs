@@ -107,14 +107,13 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Starts measuring at `position`s of time 0.
-    pub fn new(landmarks: &Landmarks, position: &[DVec3]) -> Measures {
-        let at = |node: usize| position[node];
+    /// Starts measuring at `position`s of time 0; travel counts from the `reference`.
+    pub fn new(landmarks: &Landmarks, reference: &[DVec3], position: &[DVec3]) -> Measures {
         let points = landmarks
             .points
             .iter()
             .map(|p| PointMeasures {
-                start: mean(&p.nodes, at),
+                start: mean(&p.nodes, |node| reference[node]),
                 speed: Peak::default(),
                 travel: Peak::default(),
                 height: Peak::default(),
@@ -137,7 +136,7 @@ impl Measures {
             bottom_integral: 0.0,
             bottom_integral_at_area_max: 0.0,
         };
-        measures.shape(landmarks, 0.0, at);
+        measures.shape(landmarks, 0.0, |node| position[node]);
         measures
     }
 
@@ -147,7 +146,7 @@ impl Measures {
         self.points.len() == landmarks.points.len() && self.groups.len() == groups && self.largest.len() == groups
     }
 
-    /// Displacement of landmark `index` since launch, m, now that it is at `position`.
+    /// Displacement of landmark `index` from the reference, m, now that it is at `position`.
     pub fn displacement(&self, index: usize, position: DVec3) -> DVec3 {
         position - self.points[index].start
     }

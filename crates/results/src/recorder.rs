@@ -130,7 +130,7 @@ impl<'r> Recorder<'r> {
         let of_web = system.mass().iter().zip(system.tractor());
         let web_mass: Vec<f64> = of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect();
         let measured = Measured {
-            at_steps: Measures::new(&landmarks, &state.position),
+            at_steps: Measures::new(&landmarks, &state.position, &state.position),
             at_records: MomentMeasures::new(&web_mass, &state.position),
             ropes: RopeMeasures::new(landmarks.ropes.len()),
             rows: 0,
@@ -151,6 +151,13 @@ impl<'r> Recorder<'r> {
             limits: Limits::NONE,
             error: None,
         })
+    }
+
+    /// Counts travel from `reference` positions, m, (nodes,), in place of those of the `state` that it starts from.
+    pub fn travelling_from(mut self, reference: &[DVec3], state: &State) -> Self {
+        self.measured.at_steps = Measures::new(&self.landmarks, reference, &state.position);
+        self.measured.at_records = MomentMeasures::new(&self.web_mass, reference);
+        self
     }
 
     /// Holds the run to `limits`.
@@ -273,10 +280,9 @@ impl<'r> Recorder<'r> {
         (opening.shadow_area_max_m2, opening.shadow_area_max_time_s) = (shadow.value(), shadow.time());
         tension.by_rope = by_rope;
         let (ledger, balance) = (outcome.ledger, outcome.balance);
-        let stored = ledger.kinetic + ledger.elastic + ledger.gravity;
         let energy = Energy {
             initial_j: balance.initial(),
-            final_j: stored,
+            final_j: ledger.stored(),
             closure: balance.closure(),
             closure_web: Some(balance.closure_web()),
             channels: ledger.channels().into_iter().map(|(name, energy)| (name.to_owned(), energy)).collect(),

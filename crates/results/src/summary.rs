@@ -27,6 +27,9 @@ pub struct Summary {
     pub model: Model,
     /// The time step.
     pub step: Step,
+    /// How well forces are in balance; none where no equilibrium was asked for.
+    #[serde(rename = "static")]
+    pub statics: Option<Statics>,
     /// How the tractors were launched; none where nothing is.
     pub launch: Option<Launch>,
     /// How far and how long the web opened.
@@ -114,6 +117,23 @@ pub struct Recoil {
     pub impulse_n_s: f64,
     /// Its impulse against the launch axis, N s.
     pub axial_impulse_n_s: f64,
+}
+
+/// The equilibrium, alone or at the start of a run.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Statics {
+    /// The largest force out of balance on a node that is free to move, N.
+    pub residual_n: Option<f64>,
+    /// The same over the largest tension or load.
+    pub residual_relative: Option<f64>,
+    /// The node on which it acts, in words.
+    pub residual_where: Option<String>,
+    /// The relative residual that was asked for.
+    pub tolerance: f64,
+    /// Iterations that it took.
+    pub iterations: u64,
+    /// Whether a run in time begins from it.
+    pub then_run: bool,
 }
 
 /// How far the web opened, and for how long.
@@ -340,6 +360,7 @@ impl Summary {
         require_finite("model", &self.model)?;
         require_finite("step", &self.step)?;
         require_finite("launch", &self.launch)?;
+        require_finite("static", &self.statics)?;
         require_finite("opening", &self.opening)?;
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;

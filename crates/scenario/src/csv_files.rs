@@ -1,5 +1,5 @@
 //! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`, the curves
-//! of `[rope.law.table]`, the force of `[launch.tube]`. All in SI.
+//! of `[rope.law.table]`, the force of `[launch.tube]`, the paths of `[drive.NAME]`. All in SI.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroU32;
@@ -10,11 +10,12 @@ use netcast_dynamics::forces::tabulated::Tabulated;
 
 use crate::csv_table::{Cells, CsvTable, MOST_FAULTS};
 use crate::diagnostic::Diagnostic;
+use crate::drive::misplaced;
 use crate::interval::{Any, NonNegative, Positive, Within};
 use crate::nearest::nearest;
 use crate::path::Path;
 use crate::rules::{ropes, unknown_rope};
-use crate::tree::Value;
+use crate::tree::{Table, Value};
 use crate::written::Written;
 
 /// A row of the nodes of `[web.graph]`.
@@ -64,6 +65,15 @@ pub struct StowRow {
     pub position_m: [f64; 3],
     /// Its line in the file, from 1.
     pub line: usize,
+}
+
+/// A row of the file of a `[drive.NAME]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathRow {
+    /// When the point is reached, s.
+    pub time_s: f64,
+    /// Displacement x, y, z from the start, m.
+    pub displacement_m: [f64; 3],
 }
 
 /// A node as [`write_stow`] writes it.
@@ -231,6 +241,30 @@ pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
         }))
     };
     named.into_iter().find_map(&mut read)
+}
+
+/// Reads the files of `[drive.NAME]`, by name.
+pub(crate) fn read_paths(written: &Written, found: &mut Vec<Diagnostic>) -> BTreeMap<String, Vec<PathRow>> {
+    let drives = Path::default().key("drive");
+    let table = written.tree.get(&drives).and_then(|node| node.value.as_table());
+    let names: Vec<&str> = table.into_iter().flat_map(Table::keys).collect();
+    let mut paths = BTreeMap::new();
+    for name in names {
+        let file = drives.key(name).key("file").to_string();
+        let Some(mut table) = CsvTable::read(written, &file, &["t", "x", "y", "z"], &[], found) else { continue };
+        let mut before = None;
+        let rows = table.rows(found, |cells| {
+            let (time, by) = (cells.optional_number("t", &NonNegative::INTERVAL), position(cells));
+            let row = PathRow { time_s: time?.unwrap_or(0.0), displacement_m: by? };
+            if let Some(why) = misplaced(row.time_s, row.displacement_m, before) {
+                cells.fault_in("t", format!("t: {why}"), None);
+            }
+            before = Some(row.time_s);
+            Some(row)
+        });
+        paths.insert(name.to_owned(), rows);
+    }
+    paths
 }
 
 /// The ids of the nodes, each with its line and its place in the file.

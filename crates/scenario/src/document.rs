@@ -1,9 +1,12 @@
 //! A scenario that was read and checked, with the files it names and the text it came from.
 
+use std::collections::BTreeMap;
 use std::path::Path as FilePath;
 
 use crate::check;
-use crate::csv_files::{GraphFiles, PushRow, RopeTables, StowRow, read_graph, read_push, read_rope_tables, read_stow};
+use crate::csv_files::{
+    GraphFiles, PathRow, PushRow, RopeTables, StowRow, read_graph, read_paths, read_push, read_rope_tables, read_stow,
+};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
@@ -32,6 +35,8 @@ pub struct Document {
     pub rope_tables: RopeTables,
     /// The file of the force in `[launch.tube]`.
     pub push: Option<Vec<PushRow>>,
+    /// The files of `[drive.NAME]`, by name.
+    pub paths: BTreeMap<String, Vec<PathRow>>,
 }
 
 impl Document {
@@ -63,11 +68,12 @@ impl Document {
         let stowed = read_stow(&written, &mut found);
         let rope_tables = read_rope_tables(&written, &mut found);
         let push = read_push(&written, &mut found);
+        let paths = read_paths(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push })
+        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

@@ -43,6 +43,8 @@ pub type Speed<I = Any> = Quantity<unit::MetrePerSecond, I>;
 pub type Acceleration<I = Any> = Quantity<unit::MetrePerSquareSecond, I>;
 /// A force, N.
 pub type Force<I = Any> = Quantity<unit::Newton, I>;
+/// A force per length, N/m.
+pub type ForcePerLength<I = Any> = Quantity<unit::NewtonPerMetre, I>;
 /// A pressure or elastic modulus, Pa.
 pub type Pressure<I = Any> = Quantity<unit::Pascal, I>;
 /// An angle, rad.

@@ -16,6 +16,8 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     a_polygon_has_a_size(written, &mut found);
     canopies_belong_to_the_space_web(written, &mut found);
     tractors_are_told_apart(written, &mut found);
+    a_run_has_an_end(written, &mut found);
+    what_is_loaded_or_driven_is_named(written, &mut found);
     found
 }
 
@@ -117,6 +119,64 @@ fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnosti
 
 /// The shapes that a tractor may have.
 const SHAPES: [&str; 4] = ["cylinder", "sphere", "box", "particle"];
+
+fn a_run_has_an_end(written: &Written, found: &mut Vec<Diagnostic>) {
+    let value = |path: &str| written.tree.get(&Path::parse(path)).map(|node| &node.value);
+    let then_run = matches!(value("solve.static.then_run"), Some(Value::Boolean(true)));
+    if then_run && value("solve.duration").is_none() {
+        let message = "missing key `duration`";
+        let help = "a run in time begins from the equilibrium, as solve.static.then_run says: how long is it?";
+        found.push(written.at_value(&Path::parse("solve"), message).with_help(help));
+    }
+    if value("solve.static").is_none() || then_run {
+        return;
+    }
+    let still = "there is no run in time: solve.static alone asks for the equilibrium";
+    let help = "add solve.static.then_run = true";
+    if let Some(drives) = table_at(written, "drive").filter(|drives| !drives.0.is_empty()) {
+        let message = format!("nothing is moved, as {still}");
+        let first = drives.keys().next().unwrap_or_default();
+        found.push(written.at_key(&Path::default().key("drive").key(first), message).with_help(help));
+    }
+    for (path, load) in named_tables(written, "load") {
+        if load.get("ramp").is_some() {
+            let message = format!("the load is never brought up, as {still}");
+            found.push(written.at_key(&path.key("ramp"), message).with_help(help));
+        }
+    }
+}
+
+/// The tables that a user has named in the table `of`, each with its path.
+fn named_tables<'a>(written: &'a Written, of: &str) -> Vec<(Path, &'a Table)> {
+    let named = table_at(written, of).into_iter().flat_map(|table| &table.0);
+    let tables =
+        named.filter_map(|entry| Some((Path::default().key(of).key(&entry.key), entry.node.value.as_table()?)));
+    tables.collect()
+}
+
+fn what_is_loaded_or_driven_is_named(written: &Written, found: &mut Vec<Diagnostic>) {
+    const SELECTORS: [&str; 4] = ["corners", "tractors", "nodes", "points"];
+    for (path, table) in named_tables(written, "load").into_iter().chain(named_tables(written, "drive")) {
+        let selectors = SELECTORS.into_iter().filter(|key| table.get(key).is_some());
+        match (table.get("force_per_length"), table.get("class")) {
+            (Some(_), _) => {
+                for key in selectors {
+                    let message = format!("`force_per_length` acts on the ropes of a class, not on `{key}`");
+                    found.push(written.at_key(&path.key(key), message).with_help("give `force` instead"));
+                }
+            }
+            (None, Some(_)) => {
+                let message = "`force` acts on nodes, not on a class";
+                found.push(written.at_key(&path.key("class"), message).with_help("give `force_per_length` instead"));
+            }
+            (None, None) if selectors.count() == 0 => {
+                let help = format!("give one of {}", SELECTORS.map(|key| format!("`{path}.{key}`")).join(", "));
+                found.push(written.at_value(&path, "nothing is named on which it acts").with_help(help));
+            }
+            (None, None) => {}
+        }
+    }
+}
 
 fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::default().key("tractors");

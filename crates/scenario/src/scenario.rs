@@ -9,9 +9,11 @@ use serde::{Deserialize, Serialize};
 use crate::body::{Body, BodyDefaults, Solid};
 use crate::canopy::Canopy;
 use crate::cover::Cover;
+use crate::drive::Drive;
 use crate::environment::Environment;
 use crate::hold::Hold;
 use crate::launch::Launch;
+use crate::load::Load;
 use crate::measure::Measure;
 use crate::record::Record;
 use crate::rope::Rope;
@@ -61,6 +63,12 @@ pub struct Scenario {
     pub covers: Vec<Cover>,
     /// Nodes that stay put.
     pub hold: Option<Hold>,
+    /// Forces on the web, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub load: BTreeMap<String, Load>,
+    /// What is moved along given paths, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub drive: BTreeMap<String, Drive>,
     /// Feature points by name, as node ids: `B = "n91"`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub points: BTreeMap<String, String>,
@@ -125,6 +133,7 @@ impl Scenario {
             files.push(&mut file.path);
         }
         files.extend(self.launch.as_mut().and_then(Launch::file_mut));
+        files.extend(self.drive.values_mut().filter_map(|drive| drive.file.as_mut()));
         files
     }
 

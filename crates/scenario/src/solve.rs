@@ -1,4 +1,6 @@
-//! `[solve]`: how long, how fine, and what the energy balance must hold.
+//! `[solve]`: what is solved, how long, how fine, and what the energy balance must hold.
+
+use std::num::NonZeroU32;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,9 +11,14 @@ use crate::quantity::{Length, Number, Time};
 /// `[solve]`
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("anyOf" = [{"required": ["static"]}, {"required": ["duration"]}]))]
 pub struct Solve {
-    /// Time simulated, s.
-    pub duration: Time<Positive>,
+    /// Time simulated, s. Not needed where the equilibrium is all that is asked for.
+    pub duration: Option<Time<Positive>>,
+    /// The equilibrium under weight, loads and pretension, instead of a run in time or before it. Left out: a run in
+    /// time.
+    #[serde(rename = "static")]
+    pub statics: Option<Static>,
     /// Length of the segments that ropes are cut into, m. Left out: chosen from the web, and said.
     pub segment_length: Option<Length<Positive>>,
     /// Time step over the largest stable one. Left out: chosen for the energy balance, and said.
@@ -26,6 +33,38 @@ pub struct Solve {
     /// What to do with a run whose energy balance misses a tolerance.
     #[serde(default)]
     pub on_energy_error: OnEnergyError,
+}
+
+/// `[solve.static]`
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Static {
+    /// Largest force out of balance on any node, over the largest tension or load.
+    pub tolerance: Number<BelowOne>,
+    /// Iterations after which it is given up.
+    pub max_iterations: NonZeroU32,
+    /// Whether a run in time of `solve.duration` begins from it. What has a speed at the start is held until then.
+    pub then_run: bool,
+}
+
+impl Default for Static {
+    fn default() -> Self {
+        Self {
+            tolerance: Number::constant(1e-6),
+            max_iterations: const { NonZeroU32::new(2_000_000).unwrap() },
+            then_run: false,
+        }
+    }
+}
+
+impl Solve {
+    /// Time simulated, s: none where the equilibrium is all that is asked for.
+    pub fn run_time(&self) -> Option<f64> {
+        match self.statics {
+            Some(Static { then_run: false, .. }) => None,
+            _ => self.duration.map(|duration| duration.si()),
+        }
+    }
 }
 
 /// What to do with a run whose energy balance misses its tolerance.

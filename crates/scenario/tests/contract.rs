@@ -37,7 +37,7 @@ fn it_means_what_it_says() {
     assert_eq!((launch.axial_speed.si(), launch.radial_speed.si()), (50.0, 50.0));
     assert_eq!((launch.elevation.si(), launch.azimuth.si()), (std::f64::consts::FRAC_PI_2, 0.0));
     assert_eq!((scenario.environment.gravity.si(), scenario.environment.damping.si()), (9.80665, 8.3));
-    assert_eq!((scenario.solve.duration.si(), scenario.solve.segment_length.unwrap().si()), (0.6, 0.1));
+    assert_eq!((scenario.solve.duration.unwrap().si(), scenario.solve.segment_length.unwrap().si()), (0.6, 0.1));
     assert_eq!((scenario.solve.energy_tolerance.si(), scenario.solve.web_energy_tolerance.si()), (0.003, 0.01));
     assert_eq!(scenario.record.every.si(), 0.001);
 }
@@ -69,7 +69,7 @@ fn an_override_changes_the_scenario() {
     let overrides = ["launch.axial_speed=60 m/s", "solve.duration = \"300 ms\"", "stow={scale={factor=0.2}}"];
     let scenario = parse(CONTRACT, &overrides).unwrap().scenario;
     assert_eq!(scenario.launch.unwrap().axial_speed.si(), 60.0);
-    assert_eq!(scenario.solve.duration.si(), 0.3);
+    assert_eq!(scenario.solve.duration.unwrap().si(), 0.3);
     assert!(matches!(scenario.stow, Some(Stow::Scale(scale)) if scale.factor.si() == 0.2));
 }
 

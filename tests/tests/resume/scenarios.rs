@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 22] = [
+pub const SCENARIOS: [(&str, &str); 25] = [
     (
         "space web, everything on board",
         r#"
@@ -244,6 +244,47 @@ record.every = "2 ms"
 "#,
     ),
     (
+        "square net hung up, loaded, then pulled at",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m", segments_per_mesh = 2 }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+hold.corners = true
+load.middle = { force = ["0 N", "3 N", "-20 N"], points = ["B"], nodes = ["knot 8"] }
+load.pull = { force = ["30 N", 0, 0], nodes = ["knot 12"], ramp = "10 ms" }
+load.snow = { force_per_length = [0, 0, "-2 N/m"], class = "inner" }
+drive.edge = { file = "path.csv", nodes = ["knot 3"] }
+drive.side = { path = [{ time = "5 ms", by = ["0.1 m", 0, "0.1 m"] }, { time = "15 ms", by = [0, 0, 0] }], points = ["D"] }
+drive.hold = { path = [{ time = "1 ms", by = [0, 0, 0] }], corners = true }
+solve = { duration = "30 ms", static = { tolerance = 1e-5, max_iterations = 100000, then_run = true } }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "square net hung up, nothing else",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+hold.corners = true
+solve.static = { then_run = false }
+"#,
+    ),
+    (
+        "square net thrown by drives, with drag that does not change",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.3 m"
+load.drag = { force = [0, 0, "-2 N"], corners = true, tractors = true }
+load.lift = { force = [0, 0, "4 N"], corners = false, tractors = false, points = ["B"] }
+drive.up = { path = [{ time = "20 ms", by = [0, 0, "0.5 m"] }], tractors = true, corners = false }
+drive.middle = { path = [{ time = "10 ms", by = [0, 0, "0.1 m"] }], tractors = false, points = ["B"] }
+stow.scale.factor = 0.5
+solve.duration = "30 ms"
+record.every = "2 ms"
+"#,
+    ),
+    (
         "graph that moves by itself",
         r#"
 web.graph = { nodes = "moving.csv", ropes = "ropes.csv" }
@@ -420,7 +461,7 @@ record.every = "0.5 ms"
 ];
 
 /// The files that scenarios name: every column that such files can have.
-const FILES: [(&str, &str); 8] = [
+const FILES: [(&str, &str); 9] = [
     ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
     (
         "moving.csv",
@@ -438,6 +479,7 @@ const FILES: [(&str, &str); 8] = [
          c,m,,\nd,m,viscoelastic,\n",
     ),
     ("belt.csv", "strain,tension,unloading\n0,0,0\n0.02,200,20\n0.1,1500,1500\n"),
+    ("path.csv", "t,x,y,z\n0,0,0,0\n0.004,0,0,0.05\n0.02,0.1,0,0.05\n"),
     ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),
     ("pulse.csv", "time,force\n0,0\n0.001,2000\n0.003,0\n"),
     ("spring.csv", "stroke,force\n0,2000\n0.02,0\n"),

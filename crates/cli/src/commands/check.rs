@@ -50,6 +50,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     bodies(&model);
     launch(&model);
     audit(&model);
+    acting(&model);
     cost(&model);
     Ok(())
 }
@@ -222,8 +223,37 @@ fn from_library(document: &Document) {
     rows(&lines);
 }
 
+/// Loads and drives.
+fn acting(model: &Model) {
+    let (loads, drives) = (model.system.loads(), model.system.drives());
+    let mut lines = Vec::new();
+    if !loads.is_empty() {
+        let sum = |axis: usize| number(loads.iter().map(|load| load.force[axis]).sum(), 4);
+        let [x, y, z] = [0, 1, 2].map(sum);
+        let ramped = loads.iter().filter(|load| !load.is_steady()).count();
+        let ramped = if ramped > 0 { format!(", {ramped} of them brought up in time") } else { String::new() };
+        lines.push(("loads".into(), format!("{} on nodes, {x}, {y}, {z} N in all{ramped}", loads.len())));
+    }
+    if let Some(end) = drives.iter().filter_map(|drive| drive.path.last()).map(|&(time, _)| time).reduce(f64::max) {
+        lines.push(("drives".into(), format!("{} nodes moved, the last until {} s", drives.len(), number(end, 4))));
+    }
+    if !lines.is_empty() {
+        say!("What acts on it");
+        rows(&lines);
+    }
+}
+
 /// Steps, segments, time and room.
 fn cost(model: &Model) {
+    if let Some(wanted) = model.scenario.solve.statics {
+        let (nodes, segments) = (model.system.mass().len(), model.system.segments().len());
+        say!("Equilibrium");
+        let allowed = format!("at most {} of {nodes} nodes and {segments} segments", wanted.max_iterations);
+        rows(&[("iterations".into(), allowed), ("forces balance to".into(), format!("{:e}", wanted.tolerance.si()))]);
+        if model.scenario.solve.run_time().is_none() {
+            return;
+        }
+    }
     let schedule = schedule(model);
     let (nodes, segments) = (model.system.mass().len(), model.system.segments().len());
     let limit = model.limited_by().unwrap_or("nothing".into());

@@ -151,15 +151,19 @@ fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
     for warning in ran.summary.warnings.iter().filter(|warning| Some(*warning) != failure.as_ref()) {
         say!("  note: {warning}");
     }
-    let step = &ran.summary.step;
+    let (step, clock) = (&ran.summary.step, ran.summary.wall_time_s);
+    if let (0, Some(found)) = (step.count, &ran.summary.statics) {
+        say!("  {} segments, {} iterations; {clock:.2} s on the clock.", ran.summary.model.segments, found.iterations);
+        say!("  Open {}", ran.folder.join("report.html").display());
+        return Ok(());
+    }
     let limit = step.limited_by.as_ref().map_or(String::new(), |place| format!(", limited by {place}"));
     let lift = step.lifted_by.as_ref().map_or(String::new(), |lift| format!("; larger with {lift}"));
     say!(
-        "  {} segments, {} steps of {:.3} us{limit}{lift}; {:.2} s on the clock.",
+        "  {} segments, {} steps of {:.3} us{limit}{lift}; {clock:.2} s on the clock.",
         ran.summary.model.segments,
         step.count,
-        1e6 * step.dt_s,
-        ran.summary.wall_time_s
+        1e6 * step.dt_s
     );
     say!("  Open {}", ran.folder.join("report.html").display());
     Ok(())

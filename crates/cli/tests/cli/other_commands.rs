@@ -170,5 +170,9 @@ fn the_schema_knows_every_key_of_a_scenario() {
 fn tractors_that_are_held_are_told() {
     let workbench = Workbench::with_net();
     let ended = workbench.succeed(&["check", "net.toml", "--set", "hold.corners=true"]);
-    assert!(ended.stdout.contains("4 of 4 tractors are held by [hold]: they are not launched"), "{}", ended.stdout);
+    assert!(
+        ended.stdout.contains("4 of 4 tractors are held by [hold] or [drive]: they are not launched"),
+        "{}",
+        ended.stdout
+    );
 }

@@ -80,6 +80,17 @@ impl Law {
         }
     }
 
+    /// The law of tensions that last, where none was larger before: what relaxes has relaxed, and a table is that of
+    /// loading.
+    pub fn lasting(&self) -> Law {
+        match self {
+            Law::Linear | Law::Viscoelastic(_) => Law::Linear,
+            Law::Bilinear(law) => Law::Bilinear(*law),
+            Law::Tabulated(law) => Law::Tabulated(Arc::new(law.loading())),
+            Law::Strut => Law::Strut,
+        }
+    }
+
     /// The largest stiffness against a small stretch that a segment can show, N/m: what bounds the step.
     pub fn largest_stiffness(&self, segment: &Axial) -> f64 {
         match self {

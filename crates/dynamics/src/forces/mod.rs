@@ -14,7 +14,7 @@
 //! | breaking | [`breaking`] | rupture |
 //! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | air |
 //! | weight | [`gravity`] | gravity |
-//! | constant forces on nodes | [`load`] | load |
+//! | forces given on nodes | [`load`] | load |
 //! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!

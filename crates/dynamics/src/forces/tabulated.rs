@@ -108,6 +108,11 @@ impl Tabulated {
         Ok(Tabulated { loading: Curve::new(strain.to_vec(), tension.to_vec()), left })
     }
 
+    /// The same without a path of its own for unloading.
+    pub fn loading(&self) -> Tabulated {
+        Tabulated { loading: self.loading.clone(), left: None }
+    }
+
     /// Whether it unloads on a path of its own.
     pub fn has_hysteresis(&self) -> bool {
         self.left.is_some()

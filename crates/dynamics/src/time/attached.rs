@@ -58,6 +58,8 @@ pub(super) struct Attached<'a> {
     turning: Vec<Turning>,
     /// Torque on each body at the last forces, N m.
     torque: Vec<DVec3>,
+    /// Force of each load, N, and where its node was, m, at the last forces.
+    loaded: Vec<(DVec3, DVec3)>,
     /// Force on each driven node, N, and its position, m, at the last forces.
     driven: Vec<(DVec3, DVec3)>,
     launching: Launching,
@@ -83,6 +85,8 @@ pub struct AttachedSums {
     pub drive_work: f64,
     /// Power lost by turning bodies to mass-proportional damping, over its factor: the sum of L . omega, J.
     pub turning: f64,
+    /// Work of the loads that are brought up in time, J.
+    pub load_work: f64,
     /// Work lost where ropes bend, J.
     pub bending_work: f64,
     /// Work lost inside sheets, J.
@@ -112,6 +116,7 @@ impl<'a> Attached<'a> {
             hinges: Elements::new(system.hinges()),
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
+            loaded: vec![(DVec3::ZERO, DVec3::ZERO); system.loads().len()],
             driven: vec![(DVec3::ZERO, DVec3::ZERO); system.drives().len()],
             launching,
             thrusts: vec![Thrust::default(); system.launchers().len()],
@@ -144,6 +149,16 @@ impl<'a> Attached<'a> {
         &self.let_go
     }
 
+    /// Torque on each body at the last forces, N m.
+    pub fn torques(&self) -> &[DVec3] {
+        &self.torque
+    }
+
+    /// Bodies turn as in `rotations`, whatever they did before.
+    pub fn restart(&mut self, rotations: &[Rotation]) {
+        self.turning = rotations.iter().copied().map(Turning::starting).collect();
+    }
+
     /// Sums of the last forces.
     pub fn sums(&self) -> AttachedSums {
         self.sums
@@ -160,16 +175,24 @@ impl<'a> Attached<'a> {
         bends.chain(membranes).chain(hinges).chain(loads).chain(centres).chain(launched)
     }
 
-    /// The forces of loads and elements. `node` tells where a node is and how it moves.
-    pub fn act(&mut self, team: &Team, node: impl Fn(usize) -> Moving + Sync) {
+    /// The forces of loads and elements at `time`, s. `node` tells where a node is and how it moves.
+    pub fn act(&mut self, team: &Team, time: f64, node: impl Fn(usize) -> Moving + Sync) {
         let at = |index: usize| {
             let Moving { x, v: _, w } = node(index);
             (x, w)
         };
         let force = &mut self.force;
         force.fill(DVec3::ZERO);
-        load::add_force(self.system.loads(), force);
+        load::add_force(self.system.loads(), time, force);
+        let mut load_work = 0.0;
+        let loads = self.system.loads().iter().zip(&mut self.loaded).filter(|(load, _)| !load.is_steady());
+        for (load, (last_force, last_place)) in loads {
+            let (force, place) = (load.at(time), node(load.node).x);
+            load_work += 0.5 * (*last_force + force).dot(place - *last_place);
+            (*last_force, *last_place) = (force, place);
+        }
         self.sums = AttachedSums {
+            load_work,
             bending_work: self.bends.pull(team, at, force),
             sheet_work: self.membranes.pull(team, at, force) + self.hinges.pull(team, at, force),
             ..AttachedSums::default()

@@ -106,7 +106,7 @@ impl<'a> Readable<'a> {
         if let Some(attached) = &mut self.attached {
             let velocity = &mut self.velocity;
             let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
-            attached.act(&Team::default(), moving);
+            attached.act(&Team::default(), self.taken as f64 * dt, moving);
             let pull_at = |at: &Address| law::force_at(system, &self.pulls, *at);
             attached.couple(
                 |node, force| self.slots[node].iter().map(pull_at).fold(force, |force, pull| force + pull),

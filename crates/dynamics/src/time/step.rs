@@ -101,6 +101,8 @@ pub struct StepSums {
     pub rope_work: f64,
     /// Power lost to mass-proportional damping at the step before, W.
     pub mass_power: f64,
+    /// Work of the loads that are brought up in time, since the forces before, J.
+    pub load_work: f64,
     /// Work done on what drives nodes since the forces before, J.
     pub drive_work: f64,
     /// Work lost inside sheets since the forces before, J.
@@ -232,6 +234,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Starts again from another state. The forces are then those of that state.
+    pub fn restart(&mut self, state: &State) {
+        if let Some(attached) = &mut self.attached {
+            attached.restart(&state.rotation);
+        }
+        self.start(state);
+    }
+
     /// Sets the state and the half-step velocities before it.
     fn start(&mut self, state: &State) {
         let system = self.system;
@@ -326,7 +336,7 @@ impl<'a> Stepper<'a> {
         let Some(attached) = &mut self.attached else { return };
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
-        attached.act(&self.team, moving);
+        attached.act(&self.team, self.taken as f64 * dt, moving);
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
             moving,
@@ -349,11 +359,12 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { drive_work, turning, bending_work, sheet_work, launch_work } =
+        let AttachedSums { load_work, drive_work, turning, bending_work, sheet_work, launch_work } =
             self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
             mass_power: self.system.environment().mass_damping * (squares + turning),
+            load_work,
             drive_work,
             sheet_work,
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
@@ -413,6 +424,18 @@ impl<'a> Stepper<'a> {
         carried_velocities(system, rotation, position, velocity);
     }
 
+    /// Where nodes were half a step before the step that was taken last, midway between two of their positions, and
+    /// how bodies are turned now. What a body carries follows from the latter.
+    pub fn midway(&self, state: &mut State) {
+        let dt = self.factors.dt;
+        for (position, Address { block, slot }) in state.position.iter_mut().zip(self.system.layout().homes()) {
+            let Moving { x, v, w } = self.nodes[*block].moving(*slot);
+            // w = 3/2 v - 1/2 u, u the half-step velocity before v
+            *position = x - dt * (2.5 * v - w);
+        }
+        state.rotation = self.attached.as_ref().map_or(Vec::new(), Attached::rotations);
+    }
+
     /// Velocity of a node at its position, m/s, those of ties apart.
     fn velocity(&self, node: usize) -> DVec3 {
         let Address { block, slot } = self.system.layout().homes()[node];
@@ -422,6 +445,19 @@ impl<'a> Stepper<'a> {
         }
         let (before, a) = (self.half_step_velocity(node), self.acceleration(node));
         DVec3::from_array(std::array::from_fn(|k| self.factors.at_step(before[k], a[k])))
+    }
+
+    /// The force on a node at the last forces, N; zero on one that is held or carried. Only between [`Stepper::forces`]
+    /// and [`Stepper::advance`].
+    pub fn force(&self, node: usize) -> DVec3 {
+        let Address { block, slot } = self.system.layout().homes()[node];
+        let (mass, _) = self.nodes[block].mass(slot);
+        mass * DVec3::from_array(self.acceleration(node))
+    }
+
+    /// The torque on each body at the last forces, N m, (bodies,).
+    pub fn torques(&self) -> &[DVec3] {
+        self.attached.as_ref().map_or(&[], Attached::torques)
     }
 
     /// Tension of a segment at the last forces, N.

@@ -59,6 +59,37 @@ struct Meeting {
 }
 
 impl Meeting {
+    fn of(system: &System) -> Meeting {
+        let nodes = system.mass().len();
+        let mut at = Meeting { stiffness: vec![0.0; nodes], damping: vec![0.0; nodes], stiffest: vec![None; nodes] };
+        for (i, s) in system.segments().iter().enumerate() {
+            let stiffness = system.law(s).largest_stiffness(&s.into());
+            s.ends.iter().for_each(|&node| at.add(node, stiffness, s.damping, Stiff::Segment(i)));
+        }
+        system.bends().iter().enumerate().for_each(|(i, bend)| at.add_element(bend, Stiff::Bending(i)));
+        system.membranes().iter().enumerate().for_each(|(i, membrane)| at.add_element(membrane, Stiff::Membrane(i)));
+        system.hinges().iter().enumerate().for_each(|(i, hinge)| at.add_element(hinge, Stiff::Hinge(i)));
+        // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
+        // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
+        for body in system.bodies() {
+            let gyration_squared = body.inertia.min_element() / system.mass()[body.centre].max(f64::MIN_POSITIVE);
+            for tie in &body.ties {
+                let lever = 1.0 + tie.arm.length_squared() / gyration_squared;
+                let (stiffness, damping) = (lever * at.stiffness[tie.node], lever * at.damping[tie.node]);
+                if let Some((_, what)) = at.stiffest[tie.node] {
+                    at.add(body.centre, stiffness, damping, what);
+                }
+            }
+        }
+        // a spring between the launcher and its node: counted once, where one between two nodes counts twice
+        for launcher in system.launchers() {
+            if let Means::Tube(Tube { push: Push::OverStroke(curve), .. }) = &launcher.by {
+                at.stiffness[launcher.node] += 0.5 * curve.steepest();
+            }
+        }
+        at
+    }
+
     fn add(&mut self, node: usize, stiffness: f64, damping: f64, what: Stiff) {
         self.stiffness[node] += stiffness;
         self.damping[node] += damping;
@@ -75,35 +106,16 @@ impl Meeting {
     }
 }
 
+/// The mass of each node, kg, (nodes,), at which it would set a limit of `dt` seconds; zero where nothing is stiff.
+pub fn limiting_mass(system: &System, dt: f64) -> Vec<f64> {
+    let Meeting { stiffness, damping, .. } = Meeting::of(system);
+    stiffness.iter().zip(damping).map(|(k, c)| 0.5 * dt * dt * k + 2.0 * dt * c).collect()
+}
+
 /// The stability limit of `system`.
 pub fn step_limit(system: &System) -> StepLimit {
     let nodes = system.mass().len();
-    let mut at = Meeting { stiffness: vec![0.0; nodes], damping: vec![0.0; nodes], stiffest: vec![None; nodes] };
-    for (i, s) in system.segments().iter().enumerate() {
-        let stiffness = system.law(s).largest_stiffness(&s.into());
-        s.ends.iter().for_each(|&node| at.add(node, stiffness, s.damping, Stiff::Segment(i)));
-    }
-    system.bends().iter().enumerate().for_each(|(i, bend)| at.add_element(bend, Stiff::Bending(i)));
-    system.membranes().iter().enumerate().for_each(|(i, membrane)| at.add_element(membrane, Stiff::Membrane(i)));
-    system.hinges().iter().enumerate().for_each(|(i, hinge)| at.add_element(hinge, Stiff::Hinge(i)));
-    // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
-    // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
-    for body in system.bodies() {
-        let gyration_squared = body.inertia.min_element() / system.mass()[body.centre].max(f64::MIN_POSITIVE);
-        for tie in &body.ties {
-            let lever = 1.0 + tie.arm.length_squared() / gyration_squared;
-            let (stiffness, damping) = (lever * at.stiffness[tie.node], lever * at.damping[tie.node]);
-            if let Some((_, what)) = at.stiffest[tie.node] {
-                at.add(body.centre, stiffness, damping, what);
-            }
-        }
-    }
-    // a spring between the launcher and its node: counted once, where one between two nodes counts twice
-    for launcher in system.launchers() {
-        if let Means::Tube(Tube { push: Push::OverStroke(curve), .. }) = &launcher.by {
-            at.stiffness[launcher.node] += 0.5 * curve.steepest();
-        }
-    }
+    let at = Meeting::of(system);
     let bound = |node: usize, c: f64| {
         let (mass, k) = (system.mass()[node], at.stiffness[node]);
         mass / (c + (c * c + 0.5 * k * mass).sqrt())

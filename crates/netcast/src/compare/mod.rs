@@ -91,7 +91,11 @@ fn run_all(
         // the next design that nobody has taken; after an error the others need not go on
         while let Some(index) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < designs.len()) {
             let stop = || interrupted() || abandoned.load(Ordering::Relaxed);
-            let mut tell = |own: Progress| progress(reached.with(index, own.time_s));
+            let mut tell = |own: Progress| {
+                if let Progress::Running { time_s, end_s: _ } = own {
+                    progress(reached.with(index, time_s));
+                }
+            };
             let design = &designs[index];
             let result = match &design.origin {
                 Origin::Folder(from) => copy_result(from, &to.join(&design.name)).map(|()| None),
@@ -139,7 +143,7 @@ impl Reached {
     fn with(&self, index: usize, time: f64) -> Progress {
         let mut times = self.times.lock().expect("sums do not panic");
         times[index] = time;
-        Progress { time_s: times.iter().sum(), end_s: self.end_s }
+        Progress::Running { time_s: times.iter().sum(), end_s: self.end_s }
     }
 }
 

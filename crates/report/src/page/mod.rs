@@ -12,7 +12,7 @@ use crate::pictures::{clouds_html, page_style, postures_html, stowed_html};
 use crate::replay::{self, BUDGET_BYTES, replay};
 use crate::results::Results;
 use crate::tables::{stowed, tables};
-use crate::words::words;
+use crate::words::{is_equilibrium, words};
 
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -25,7 +25,8 @@ const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: that takes
 /// The whole page.
 pub(crate) fn html(results: &Results) -> String {
     let summary = &results.summary;
-    let figures = figures(results);
+    // of a single row there is no curve
+    let figures = if is_equilibrium(summary) { Vec::new() } else { figures(results) };
     let title = summary["title"].as_str().filter(|title| !title.trim().is_empty()).unwrap_or("Untitled scenario");
     fill(
         FRAME,
@@ -121,13 +122,18 @@ fn list_items(lines: &[String]) -> String {
 /// The handful of numbers that a designer looks for first.
 fn tiles(summary: &Value) -> String {
     let (opening, tension) = (&summary["opening"], &summary["tension"]);
+    let at_rest = is_equilibrium(summary);
     let area = opening["area_max_m2"].as_f64();
     let share = area.zip(opening["reference_area_m2"].as_f64()).map(|(area, flat)| percent(area / flat));
     let tiles = [
-        ("largest area", area.map(|area| format!("{} m²", significant(area))), share.map(|s| format!("{s} of flat"))),
+        (
+            if at_rest { "area" } else { "largest area" },
+            area.map(|area| format!("{} m²", significant(area))),
+            share.map(|s| format!("{s} of flat")),
+        ),
         (
             "80 % open for",
-            opening["effective_duration_s"].as_f64().map(time),
+            opening["effective_duration_s"].as_f64().filter(|_| !at_rest).map(time),
             opening["effective_from_s"].as_f64().map(|from| format!("from {}", time(from))),
         ),
         (
@@ -137,12 +143,20 @@ fn tiles(summary: &Value) -> String {
         ),
         (
             "tractors travel",
-            summary["points"]["tractor"]["peak_travel_m"].as_f64().map(|travel| format!("{} m", significant(travel))),
+            summary["points"]["tractor"]["peak_travel_m"]
+                .as_f64()
+                .filter(|_| !at_rest)
+                .map(|travel| format!("{} m", significant(travel))),
             None,
         ),
         (
+            "forces balance to",
+            summary["static"]["residual_relative"].as_f64().map(|share| format!("{share:.1e}")),
+            summary["static"]["tolerance"].as_f64().map(|tolerance| format!("{tolerance:.1e} allowed")),
+        ),
+        (
             "energy closes to",
-            summary["energy"]["closure"].as_f64().map(percent),
+            summary["energy"]["closure"].as_f64().filter(|_| !at_rest).map(percent),
             summary["energy"]["tolerance"].as_f64().map(|tolerance| format!("{} allowed", percent(tolerance))),
         ),
     ];

@@ -10,6 +10,8 @@
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
 //! release     what is let go of, and when
+//! loads       what acts on the web
+//! drives      what of it is moved, and how
 //! size        whether the machine has the memory
 //! ```
 //!
@@ -19,11 +21,14 @@ mod assignment;
 mod bodies;
 mod canopy_links;
 mod drawing;
+mod drives;
 mod launch;
+mod loads;
 mod material;
 mod release;
 mod rope_law;
 mod scatter;
+mod selection;
 mod size;
 mod stowing;
 
@@ -36,6 +41,7 @@ use netcast_dynamics::body::Body;
 use netcast_dynamics::energy::Ledger;
 use netcast_dynamics::forces::law::RopeState;
 use netcast_dynamics::state::State;
+use netcast_dynamics::statics::{Unsupported, unsupported};
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
 use netcast_webs::{Audit, Bill, CutWeb};
@@ -129,14 +135,23 @@ impl Model {
         let mut found = Vec::new();
         let materials = gather(material::materials(document, &cut, &scenario, &mut notes), &mut found);
         let stowed = gather(stowing::stow(document, &cut, &mut scenario), &mut found);
+        let position: Vec<DVec3> = stowed.iter().flatten().map(|&x| frame * x).collect();
+        let loads = match &materials {
+            Some(made) => gather(loads::loads(document, &cut, &scenario, &made.members, &made.groups), &mut found),
+            None => None,
+        };
+        let drives = match position.is_empty() {
+            false => gather(drives::drives(document, &cut, &scenario, &position), &mut found),
+            true => None,
+        };
         let throws = gather(launch::throws(document, &cut, &scenario), &mut found);
         let held = gather(held(document, &cut, &scenario), &mut found);
         let audit = match (&materials, &stowed) {
             (Some(materials), Some(stowed)) => gather(stowing::audit(document, &cut, materials, stowed), &mut found),
             _ => None,
         };
-        let (Some(mut materials), Some(stowed), Some(mut throws), Some(held), Some(audit)) =
-            (materials, stowed, throws, held, audit)
+        let (Some(mut materials), Some(loads), Some(drives), Some(mut throws), Some(mut held), Some(audit)) =
+            (materials, loads, drives, throws, held, audit)
         else {
             return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
         };
@@ -145,6 +160,7 @@ impl Model {
         for &node in &cut.web.tractors {
             tractor[node] = true;
         }
+        drives.iter().for_each(|drive| held[drive.node] = true);
         let gravity = scenario.environment.gravity.si();
         let mut parts = SystemParts {
             mass: materials.mass,
@@ -152,6 +168,8 @@ impl Model {
             tractor,
             segments: materials.members.iter().map(|m| m.segment).collect(),
             laws: materials.groups.iter().map(|group| group.law.clone()).collect(),
+            loads,
+            drives,
             environment: Environment {
                 // 0 - g, for the sign of a zero
                 gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
@@ -159,7 +177,6 @@ impl Model {
             },
             ..SystemParts::default()
         };
-        let position = stowed.iter().map(|&x| frame * x).collect();
         let velocity = launch::own_velocities(document, &cut, frame);
         let mut state = State { position, velocity, ..State::default() };
         let axis = frame * DVec3::Z;
@@ -184,13 +201,23 @@ impl Model {
         // the packing knows nothing of laws
         let ropes = RopeState::at_rest(&system, &state.position);
         let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
+        if scenario.solve.statics.is_some()
+            && let Some(Unsupported { node, load }) = unsupported(&system, &state)
+        {
+            let message = format!(
+                "there is no equilibrium: nothing holds the part of the web with {}, which bears {load:.4} N",
+                cut.node_label(node)
+            );
+            let help = "hold it by [hold], or leave what bears on it out";
+            return Err(document.diagnostic("solve.static", message).with_help(help).into());
+        }
         let cells = cut.cells();
         if cells.is_empty() && scenario.measure.target_diameter.is_some() {
             notes.push(
                 "the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned(),
             );
         }
-        notes.extend(launched_and_held(&system, &tractors));
+        notes.extend(launched_and_held(&system, &state, &tractors));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }
@@ -322,7 +349,7 @@ fn affordable(
     cut: &CutWeb,
     members: &[Member],
 ) -> Result<(), Diagnostics> {
-    let (duration, every) = (scenario.solve.duration.si(), scenario.record.every.si());
+    let (duration, every) = (scenario.solve.run_time().unwrap_or(0.0), scenario.record.every.si());
     let largest_dt = scenario.solve.step_fraction.map_or(1.0, |f| f.si()) * limit.dt;
     let steps = duration / largest_dt;
     let mut found = Vec::new();
@@ -390,20 +417,21 @@ fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diag
     }
 }
 
-/// Tractors that stay put.
-fn launched_and_held(system: &System, tractors: &[usize]) -> Option<String> {
-    let count = tractors.iter().filter(|&&tractor| system.held()[tractor]).count();
-    (count > 0).then(|| format!("{count} of {} tractors are held by [hold]: they are not launched", tractors.len()))
+/// Tractors that are thrown and stay put.
+fn launched_and_held(system: &System, state: &State, tractors: &[usize]) -> Option<String> {
+    let is_both = |&&tractor: &&usize| system.held()[tractor] && state.velocity[tractor] != DVec3::ZERO;
+    let (count, all) = (tractors.iter().filter(is_both).count(), tractors.len());
+    (count > 0).then(|| format!("{count} of {all} tractors are held by [hold] or [drive]: they are not launched"))
 }
 
 /// A net at rest that nothing moves.
 fn ill_begun(system: &System, state: &State) -> Option<String> {
     let still = state.velocity.iter().all(|v| *v == DVec3::ZERO) && system.launchers().is_empty();
-    let weightless = system.environment().gravity == DVec3::ZERO;
+    let unloaded = system.environment().gravity == DVec3::ZERO && system.loads().is_empty();
     let slack = system.segments().iter().all(|s| {
         let [a, b] = s.ends;
         (state.position[b] - state.position[a]).length() <= s.rest_length
     });
-    (still && weightless && slack)
+    (still && unloaded && slack && system.drives().is_empty())
         .then(|| "nothing moves: there is no launch, no gravity and no tension at the start".to_owned())
 }

@@ -56,7 +56,7 @@ impl Size {
 
     /// With what is recorded of it.
     pub(super) fn recorded(self, scenario: &Scenario) -> Self {
-        let (duration, record) = (scenario.solve.duration.si(), &scenario.record);
+        let (duration, record) = (scenario.solve.run_time().unwrap_or(0.0), &scenario.record);
         let frames =
             duration / record.fields_every.map_or(record.every.si(), |every| every.si().max(record.every.si()));
         Self { rows: duration / record.every.si(), frames: frames + 1.0, ..self }

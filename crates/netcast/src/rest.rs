@@ -1,0 +1,82 @@
+//! The equilibrium that a scenario asks for, alone or as the start of a run.
+
+use netcast_dynamics::state::State;
+use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax};
+use netcast_results::summary;
+use netcast_scenario::lower::Model;
+
+use crate::run::Progress;
+
+/// The equilibrium, or how far it was found.
+pub(crate) struct Rest {
+    relaxed: Relaxed,
+    tolerance: f64,
+}
+
+/// Looks for the equilibrium of a model, if its scenario asks for it.
+pub(crate) fn equilibrium(
+    model: &Model,
+    threads: usize,
+    progress: &mut (dyn FnMut(Progress) + Send),
+    interrupted: &(dyn Fn() -> bool + Sync),
+) -> Option<Rest> {
+    let wanted = model.scenario.solve.statics?;
+    let tolerance = wanted.tolerance.si();
+    let accuracy = Accuracy { tolerance, max_iterations: wanted.max_iterations.get().into() };
+    let mut tell = |Relaxing { iterations, residual }: Relaxing| {
+        progress(Progress::Relaxing { iterations, residual: residual.relative(), tolerance });
+        !interrupted()
+    };
+    let relaxed = relax(&model.system, &model.state, &accuracy, threads, &mut tell);
+    Some(Rest { relaxed, tolerance })
+}
+
+impl Rest {
+    /// Whether it is an equilibrium, as far as was asked.
+    pub fn is_found(&self) -> bool {
+        self.relaxed.stopped.is_none()
+    }
+
+    /// The start of what follows. Where a run does, what is thrown has its speed again.
+    pub fn start(&self, model: &Model) -> State {
+        let mut state = self.relaxed.state.clone();
+        if model.scenario.solve.run_time().is_some() {
+            state.velocity.clone_from(&model.state.velocity);
+            for (rotation, thrown) in state.rotation.iter_mut().zip(&model.state.rotation) {
+                rotation.angular_momentum = thrown.angular_momentum;
+            }
+        }
+        state
+    }
+
+    /// Why it is none, in words.
+    pub fn failure(&self, model: &Model) -> Option<String> {
+        let (error, residual) = (self.relaxed.stopped?, &self.relaxed.residual);
+        let place = model.node_label(residual.node);
+        Some(match error {
+            StaticsError::NotConverged { .. } => format!(
+                "{error}: {place} is out of balance by {:.3e} N, {:.1e} of the largest tension or load where {:.1e} is \
+                 asked for; allow more by solve.static.max_iterations, or ask for less by solve.static.tolerance",
+                residual.force,
+                residual.relative(),
+                self.tolerance
+            ),
+            StaticsError::NotFinite { .. } => format!("{error}, at {place}"),
+            StaticsError::Interrupted { .. } => error.to_string(),
+        })
+    }
+
+    /// What the summary says of it.
+    pub fn summary(&self, model: &Model) -> summary::Statics {
+        let Relaxed { residual, iterations, .. } = &self.relaxed;
+        let is_finite = residual.force.is_finite();
+        summary::Statics {
+            residual_n: is_finite.then_some(residual.force),
+            residual_relative: Some(residual.relative()).filter(|relative| relative.is_finite()),
+            residual_where: is_finite.then(|| model.node_label(residual.node)),
+            tolerance: self.tolerance,
+            iterations: *iterations,
+            then_run: model.scenario.solve.run_time().is_some(),
+        }
+    }
+}
