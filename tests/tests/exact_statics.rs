@@ -4,6 +4,9 @@
 //! density 2844.23 kg/m^3, g 9.81 m/s^2: sag 6.352 m; with a thermal strain of 2.3e-5 * 39.26, sag 8.195 m. The elastic
 //! catenary has the reactions: 13206 N level and 13247 N at most, and warmed 10234 N level.
 //!
+//! Square frame of bars with two diagonals that only pull, Code_Aster's SSNL105 (V6.02.105): 1 m a side, two corners held,
+//! 1000 N along the upper side: the loaded diagonal bears 1414.2 N, the bar below the load -1000 N, the rest nothing.
+//!
 //! Catenary, Irvine, Cable Structures, 1981: with w the weight per length, a the parameter H/w, and S the length between
 //! two ends of one height L apart, S = 2 a sinh(L/2a), sag a (cosh(L/2a) - 1); T at the ends = w (a + sag).
 //!
@@ -124,5 +127,22 @@ fn a_taut_rope_is_pulled_to_where_the_law_says() {
             assert_close("displacement, m", found_l, displacement, 1e-6);
             assert_close("tension, N", found_t, tension, 1e-6);
         }
+    }
+}
+
+#[test]
+fn a_frame_with_diagonals_that_only_pull() {
+    let scenario = "environment = { gravity = 0 }\nsolve = { static = { tolerance = 1e-9 }, segment_length = 2 }\n\
+                    load.side = { force = [\"1000 N\", 0, 0], nodes = [\"3\"] }\n\
+                    rope = { diameter = \"36 mm\", density = 7800, elastic_modulus = \"200 GPa\" }\n\
+                    ropes.bar = { diameter = \"36 mm\", density = 7800, elastic_modulus = \"200 GPa\", law.strut = {} }\n";
+    let nodes = "id,x,y,z,fixed\n1,0,0,0,1\n2,1,0,0,1\n3,1,1,0,0\n4,0,1,0,0\n";
+    let ropes = "a,b,rope\n1,2,bar\n2,3,bar\n3,4,bar\n4,1,bar\n1,3,\n2,4,\n";
+    let run = Run::graph(scenario, nodes, ropes);
+    let tension = run.fields.tensions(0);
+    println!("bars {:?} N, diagonals {:?} N", &tension[..4], &tension[4..]);
+    let expected = [0.0, -1000.0, 0.0, 0.0, 1000.0 * 2f64.sqrt(), 0.0];
+    for (found, expected) in tension.iter().zip(expected) {
+        assert!((found - expected).abs() < 0.1, "{found} instead of {expected}");
     }
 }
