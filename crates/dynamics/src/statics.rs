@@ -180,7 +180,10 @@ pub fn relax(
 
 /// Whether each node stays where it is: held, or thrown only later.
 fn resting(system: &System, state: &State) -> Vec<bool> {
-    system.held().iter().zip(&state.velocity).map(|(held, velocity)| *held || *velocity != DVec3::ZERO).collect()
+    let nodes = system.held().iter().zip(&state.velocity);
+    let mut resting: Vec<bool> = nodes.map(|(held, velocity)| *held || *velocity != DVec3::ZERO).collect();
+    system.launchers().iter().for_each(|launcher| resting[launcher.node] = true);
+    resting
 }
 
 /// Weights of all that is free to move, and the loads that act on it before a run in time begins.
