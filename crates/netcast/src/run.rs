@@ -358,6 +358,7 @@ impl Ended<'_> {
             mouth: recording.mouth,
             target: recording.target,
             flight: recording.flight,
+            canopies: recording.cloth,
             stowed: stowed(model),
             energy: recording.energy,
             warnings,

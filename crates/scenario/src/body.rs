@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -84,6 +85,25 @@ impl Solid {
     pub fn mass_kg(&self) -> f64 {
         match *self {
             Self::Cylinder { mass_kg, .. } | Self::Particle { mass_kg } => mass_kg,
+        }
+    }
+
+    /// Moments of inertia about its axes through its centre, the last its own axis, kg m^2; none for a particle.
+    pub fn inertia_kg_m2(&self) -> Option<DVec3> {
+        match *self {
+            Self::Cylinder { diameter_m: d, height_m: h, mass_kg } => {
+                let across = d * d / 16.0 + h * h / 12.0;
+                Some(mass_kg * DVec3::new(across, across, d * d / 8.0))
+            }
+            Self::Particle { .. } => None,
+        }
+    }
+
+    /// How far it reaches from its axis, m; 0 for a particle.
+    pub fn radius_m(&self) -> f64 {
+        match *self {
+            Self::Cylinder { diameter_m, .. } => 0.5 * diameter_m,
+            Self::Particle { .. } => 0.0,
         }
     }
 

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::quantity::Length;
 use crate::scenario::Scenario;
-use crate::{canopy, web};
+use crate::web;
 
 use super::size::Size;
 
@@ -68,8 +68,8 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
         web::Web::Traditional(w) => one("web.traditional", traditional(w.side.si(), w.cells_per_side.get() as usize)),
         web::Web::Topological(w) => one("web.topological", topological(w.side.si(), w.hexagon_side.si())),
         web::Web::Space(w) => {
-            let canopy::Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
-            one("web.space", space(w.side.si(), canopy.side.si()))
+            let canopy = scenario.canopy.clone().unwrap_or_default();
+            one("web.space", space(w.side.si(), canopy.side_m()))
         }
         web::Web::Square(w) => {
             let net = square(w.side.si(), w.mesh.si());
