@@ -45,7 +45,11 @@ impl Run {
         Run::of(&document)
     }
 
-    fn of(document: &Document) -> Run {
+    /// Runs a scenario.
+    ///
+    /// # Panics
+    /// Where the run fails.
+    pub fn of(document: &Document) -> Run {
         let results = TempDir::new().expect("a temporary folder");
         let target = results.path().join("run");
         let ran =
