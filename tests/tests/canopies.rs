@@ -12,7 +12,7 @@ const KINDS: [(&str, &str); 5] = [
     ("links", "links = {}"),
     ("rigid", "rigid = {}"),
     ("plate", "membrane = {}"),
-    ("plate on patches", "membrane = { fineness = 5, tie_radius = \"28 mm\" }"),
+    ("plate on patches", "membrane = { fineness = 3, tie_radius = \"50 mm\" }"),
     ("cloth", "membrane = { thickness = \"1 mm\", wrinkles = true, bending = \"none\" }"),
 ];
 
@@ -24,7 +24,7 @@ traction_rope = { length = "1 m", count = 2 }
 tractor.particle.mass = "5 kg"
 stow.bag = { radius = "0.24 m", depth = "0.38 m" }
 launch = { axial_speed = "50 m/s", radial_speed = "50 m/s" }
-solve = { duration = "25 ms", segment_length = "0.2 m" }
+solve = { duration = "15 ms", segment_length = "0.2 m" }
 record.every = "1 ms"
 "#;
 

@@ -44,6 +44,8 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     let size = Size::of_web(&web, length);
     let path = if per_mesh.is_some() { "web.square.segments_per_mesh" } else { "solve.segment_length" };
     size.require(document, path, "cut it into longer segments, or run it where there is more memory")?;
+    let size = size.with_sheets(&web, scenario.canopy.as_ref());
+    size.require(document, "canopy.membrane.fineness", "mesh it with fewer triangles")?;
     let path = if scenario.record.fields_every.is_some() { "record.fields_every" } else { "record.every" };
     size.recorded(scenario).require(document, path, "record less often, or give `record.fields_every`")?;
     cut(&web, &Cutting::SegmentLength(length)).map_err(|error| {
