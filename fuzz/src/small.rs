@@ -16,8 +16,9 @@ pub fn is_small(document: &Document) -> bool {
         Web::Traditional(web) => (web.side.si(), f64::from(web.cells_per_side.get()), 1),
         Web::Topological(web) => (web.side.si(), web.side.si() / web.hexagon_side.si(), 1),
         Web::Space(web) => {
-            let Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
-            (web.side.si(), web.side.si() / canopy.side.si(), 1)
+            let canopy = scenario.canopy.clone().unwrap_or_default();
+            let fineness = if let Canopy::Membrane(sheet) = &canopy { f64::from(sheet.fineness.get()) } else { 1.0 };
+            (web.side.si(), fineness.max(web.side.si() / canopy.side_m()), 1)
         }
         Web::Square(web) => {
             let per_mesh = web.segments_per_mesh.map_or(1, |count| count.get());

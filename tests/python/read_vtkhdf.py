@@ -63,6 +63,7 @@ def read_with_h5py(path):
         return {
             "times": vtk["Steps/Values"][:],
             "segments": vtk["Lines/Connectivity"][:].reshape(-1, 2),
+            "triangles": vtk["Polygons/Connectivity"][:].reshape(-1, 3),
             "positions": vtk["Points"][:].reshape(steps, nodes, 3),
             "velocity": vtk["PointData/velocity"][:].reshape(steps, nodes, 3),
             "tension": vtk["CellData/tension"][:].reshape(steps, -1),
@@ -87,6 +88,7 @@ def read_with_vtk(path):
         data = reader.GetOutput()
         yield time, {
             "segments": vtk_to_numpy(data.GetLines().GetConnectivityArray()).reshape(-1, 2),
+            "triangles": vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3),
             "positions": vtk_to_numpy(data.GetPoints().GetData()),
             "velocity": vtk_to_numpy(data.GetPointData().GetArray("velocity")),
             "tension": vtk_to_numpy(data.GetCellData().GetArray("tension")),
@@ -112,8 +114,8 @@ def check(folder):
     stride = rows_a_step(history["time_s"], fields["times"])
     history = {name: values[::stride] for name, values in history.items()}
     require_equal("h5py: times against history.csv", history["time_s"], fields["times"])
-    # members of canopies are no ropes
-    ropes = [fields["class_names"][number] != "canopy" for number in fields["class"]]
+    # members of canopies are no ropes, nor are triangles of sheets, which have no class
+    ropes = [number >= 0 and fields["class_names"][number] != "canopy" for number in fields["class"]]
     if any(ropes):
         highest = fields["tension"][:, ropes].max(axis=1)
         require_equal("h5py: highest tension against tension_max_n", history["tension_max_n"], highest)
@@ -128,12 +130,13 @@ def check(folder):
         require_equal(f"VTK: time of step {step}", fields["times"][step], time)
         for name in ("positions", "velocity", "tension"):
             require_equal(f"VTK: {name} at step {step}", fields[name][step], seen[name])
-        for name in ("segments", "class"):
+        for name in ("segments", "triangles", "class"):
             require_equal(f"VTK: {name} at step {step}", fields[name], seen[name])
         steps += 1
     require_equal("VTK: number of steps", len(history["time_s"]), steps)
-    nodes, segments = fields["positions"].shape[1], fields["tension"].shape[1]
-    size = f"{steps} steps, {nodes} nodes, {segments} segments, points {', '.join(points) or 'none'}"
+    nodes = fields["positions"].shape[1]
+    segments, triangles = len(fields["segments"]), len(fields["triangles"])
+    size = f"{steps} steps, {nodes} nodes, {segments} segments, {triangles} triangles, points {', '.join(points) or 'none'}"
     return f"{size}: h5py, VTK and history.csv agree"
 
 

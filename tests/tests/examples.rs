@@ -131,3 +131,16 @@ fn the_webs_of_the_paper_share_all_but_the_web() {
         assert_eq!(other, space, "{folder}");
     }
 }
+
+/// And only the canopies between the ways to model them.
+#[test]
+fn the_space_webs_share_all_but_their_canopies() {
+    let folder = examples().join("03_space_web");
+    let space = Example::at(&folder).read().scenario;
+    for file in ["rigid.toml", "plate.toml", "cloth.toml"] {
+        let document = Document::read(&folder.join("canopies").join(file), &[]).unwrap_or_else(|e| panic!("{e}"));
+        Model::new(&document).unwrap_or_else(|errors| panic!("{errors}"));
+        let canopy = space.canopy.clone();
+        assert_eq!(Scenario { title: space.title.clone(), canopy, ..document.scenario }, space, "{file}");
+    }
+}

@@ -3,6 +3,7 @@
 use glam::DVec3;
 use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
 use netcast_scenario::body::Shape;
+use netcast_scenario::canopy::Canopy;
 use netcast_scenario::lower::{Model, PlacedBody, Role};
 use netcast_webs::Class;
 
@@ -53,9 +54,24 @@ pub fn landmarks(model: &Model) -> Landmarks {
         classes,
         ropes,
         groups,
-        canopies: web.canopies.iter().map(|c| CanopyMark { hub: c.hub, rim: c.rim.to_vec() }).collect(),
+        canopies: canopies(model),
+        cloth_strength: match &model.scenario.canopy {
+            Some(Canopy::Membrane(sheet)) => sheet.strength.map(|strength| strength.si()),
+            _ => None,
+        },
         bodies: model.bodies.iter().map(body_mark).collect(),
     }
+}
+
+/// Canopies, with their triangles where they are sheets.
+fn canopies(model: &Model) -> Vec<CanopyMark> {
+    let triangles = |canopy: usize| model.sheets.get(canopy).map_or(Vec::new(), |sheet| sheet.triangles.clone());
+    let mark = |(index, canopy): (usize, &netcast_webs::Canopy)| CanopyMark {
+        hub: canopy.hub,
+        rim: canopy.rim.to_vec(),
+        triangles: triangles(index),
+    };
+    model.cut.web.canopies.iter().enumerate().map(mark).collect()
 }
 
 /// Link classes, kinds of rope, and both of each of the system's classes.

@@ -164,10 +164,11 @@ fn fields_every(model: &Model) -> u64 {
 
 /// Bytes that the fields of a run take at its end: the frames as they came, and the file that is made of them.
 fn written_bytes(model: &Model, schedule: &Schedule) -> f64 {
-    let (nodes, segments) = (model.system.mass().len() as f64, model.system.segments().len() as f64);
+    let nodes = model.system.mass().len() as f64;
+    let cells = (model.system.segments().len() + model.system.membranes().len()) as f64;
     let frames = schedule.count as f64 / (schedule.steps_per_record * fields_every(model)) as f64 + 1.0;
     let bodies = model.system.bodies().len() as f64;
-    2.0 * frames * (1.0 + 6.0 * nodes + segments + 4.0 * bodies) * size_of::<f64>() as f64
+    2.0 * frames * (1.0 + 6.0 * nodes + cells + 4.0 * bodies) * size_of::<f64>() as f64
 }
 
 /// Runs a scenario and writes its results to `target`. `progress` hears of every record; once `interrupted` says so,
@@ -389,6 +390,7 @@ impl Ended<'_> {
             mouth: recording.mouth,
             target: recording.target,
             flight: recording.flight,
+            canopies: recording.cloth,
             stowed: stowed(model),
             energy: recording.energy,
             warnings,

@@ -47,6 +47,7 @@ fn landmarks() -> Landmarks {
         classes: vec![LinkClass { name: "outline".into(), is_rope: true, strength: None }],
         ropes: vec![NamedRope { name: "rope".into(), strength: None, knot_reduction: None }],
         groups: vec![Group { class: 0, rope: Some(0) }],
+        cloth_strength: None,
         canopies: Vec::new(),
         bodies: (0..4).map(tractor).collect(),
     }
@@ -74,6 +75,7 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
         nodes: 4,
         segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]],
         classes: vec![0; 4],
+        triangles: Vec::new(),
         class_names: vec!["outline".into()],
         labels: Vec::new(),
         bodies: Vec::new(),
@@ -336,6 +338,7 @@ fn large_net(meshes: usize, pieces: usize) -> TempDir {
         nodes: points.len(),
         classes: vec![0; segments.len()],
         segments,
+        triangles: Vec::new(),
         class_names: vec!["outline".into()],
         labels: Vec::new(),
         bodies: Vec::new(),

@@ -77,6 +77,28 @@ pub struct CanopyMark {
     pub hub: usize,
     /// The nodes at its corners, in order.
     pub rim: Vec<usize>,
+    /// Its triangles, where it is a sheet.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub triangles: Vec<[usize; 3]>,
+}
+
+impl CanopyMark {
+    /// What to draw of it, as closed loops of nodes: its triangles, or else its rim.
+    pub fn loops(&self) -> Vec<&[usize]> {
+        match self.triangles.is_empty() {
+            true => vec![&self.rim],
+            false => self.triangles.iter().map(|triangle| &triangle[..]).collect(),
+        }
+    }
+
+    /// What to fill of it: its triangles, or else those between its hub and its rim.
+    pub fn faces(&self) -> Vec<[usize; 3]> {
+        let Self { hub, rim, triangles } = self;
+        match triangles.is_empty() {
+            true => (0..rim.len()).map(|k| [*hub, rim[k], rim[(k + 1) % rim.len()]]).collect(),
+            false => triangles.clone(),
+        }
+    }
 }
 
 /// What a body is there for.
@@ -184,6 +206,9 @@ pub struct Landmarks {
     pub groups: Vec<Group>,
     /// Canopies, to be drawn.
     pub canopies: Vec<CanopyMark>,
+    /// What the cloth of canopies that are sheets bears, Pa, where it is given.
+    #[serde(default, rename = "cloth_strength_pa")]
+    pub cloth_strength: Option<f64>,
     /// Tractors, payloads and sensors, to be drawn.
     pub bodies: Vec<BodyMark>,
 }
@@ -212,8 +237,9 @@ impl Landmarks {
         let groups = self.outline.iter().chain(&self.mouth).chain(&self.cells).chain([&self.corners, &self.centre]);
         let points = self.points.iter().flat_map(|point| &point.nodes);
         let canopies = self.canopies.iter().flat_map(|canopy| canopy.rim.iter().chain([&canopy.hub]));
+        let sheets = self.canopies.iter().flat_map(|canopy| &canopy.triangles).flatten();
         let bodies = self.bodies.iter().map(|body| &body.node);
-        groups.flatten().chain(&self.tractors).chain(points).chain(canopies).chain(bodies).copied()
+        groups.flatten().chain(&self.tractors).chain(points).chain(canopies).chain(sheets).chain(bodies).copied()
     }
 
     /// Vector area of the outline, m^2; none where there is no outline.

@@ -14,6 +14,7 @@
 //! the manifest, which alone knows the clock and the machine, and `wall_time_s` in the summary.
 
 pub mod checkpoint;
+mod cloth;
 pub mod comparison;
 pub mod disk;
 mod error;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
+use netcast_dynamics::forces::membrane::Membrane;
 use netcast_dynamics::limits::Limits;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome};
 use netcast_dynamics::snapshot::Snapshot;
@@ -14,11 +15,12 @@ use netcast_dynamics::system::System;
 use serde::{Deserialize, Serialize};
 
 use crate::checkpoint::{Checkpoint, CheckpointEvery};
+use crate::cloth::ClothMeasures;
 use crate::landmarks::Landmarks;
 use crate::measures::{Measures, mean};
 use crate::moments::{Moment, MomentMeasures};
 use crate::stream::Stream;
-use crate::summary::{Energy, Flight, Mouth, Opening, PointExtremes, Posture, Target, Tension};
+use crate::summary::{Cloth, Energy, Flight, Mouth, Opening, PointExtremes, Posture, Target, Tension};
 use crate::utilisation::RopeMeasures;
 use crate::{FieldsTopology, ResultError, folder, history};
 
@@ -32,6 +34,7 @@ pub struct Recorder<'r> {
     web_mass: Vec<f64>,
     /// The class of each segment in the system.
     groups: Vec<usize>,
+    membranes: Vec<Membrane>,
     fields_every: u64,
     columns: Vec<String>,
     topology: FieldsTopology,
@@ -49,6 +52,7 @@ pub struct Measured {
     at_steps: Measures,
     at_records: MomentMeasures,
     ropes: RopeMeasures,
+    cloth: ClothMeasures,
     rows: u64,
     last_time: f64,
     last_residual: f64,
@@ -92,6 +96,8 @@ pub struct Recording {
     pub target: Option<Target>,
     /// How long the web hangs about its apex.
     pub flight: Flight,
+    /// What sheets bear.
+    pub cloth: Option<Cloth>,
     /// The energy balance.
     pub energy: Energy,
 }
@@ -119,10 +125,12 @@ impl<'r> Recorder<'r> {
         let channels: Vec<&str> = channels.into_iter().chain(["residual"]).collect();
         let labels =
             landmarks.points.iter().filter(|p| p.nodes.len() == 1).map(|p| (p.nodes[0] as u32, p.name.clone()));
+        let triangles = landmarks.canopies.iter().flat_map(|canopy| &canopy.triangles);
         let topology = FieldsTopology {
             nodes: system.mass().len(),
             segments: system.segments().iter().map(|s| s.ends.map(|n| n as u32)).collect(),
             classes: groups.iter().map(|&group| landmarks.groups[group].class as u32).collect(),
+            triangles: triangles.map(|nodes| nodes.map(|node| node as u32)).collect(),
             class_names: class_names.iter().map(|c| c.to_string()).collect(),
             labels: labels.collect(),
             bodies: system.bodies().iter().map(|body| body.centre as u32).collect(),
@@ -133,6 +141,7 @@ impl<'r> Recorder<'r> {
             at_steps: Measures::new(&landmarks, &state.position, &state.position),
             at_records: MomentMeasures::new(&web_mass, &state.position),
             ropes: RopeMeasures::new(landmarks.ropes.len()),
+            cloth: ClothMeasures::default(),
             rows: 0,
             last_time: 0.0,
             last_residual: 0.0,
@@ -144,6 +153,7 @@ impl<'r> Recorder<'r> {
             landmarks,
             web_mass,
             groups,
+            membranes: system.membranes().to_vec(),
             fields_every,
             kept: None,
             progress,
@@ -272,8 +282,9 @@ impl<'r> Recorder<'r> {
             kept.stream.finish()?;
         }
         let landmarks = &self.landmarks;
-        let Measured { at_steps, at_records, ropes, rows: _, last_time: _, last_residual } = self.measured;
+        let Measured { at_steps, at_records, ropes, cloth, rows: _, last_time: _, last_residual } = self.measured;
         let by_rope = ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope));
+        let cloth = cloth.finish(&self.membranes, landmarks);
         let shadow = at_records.shadow_area();
         let (mouth, target, flight) = at_records.finish(landmarks);
         let (mut opening, points, mut tension, posture) = at_steps.finish(landmarks);
@@ -291,13 +302,14 @@ impl<'r> Recorder<'r> {
             tolerance: tolerance.0,
             tolerance_web: tolerance.1,
         };
-        Ok(Recording { opening, points, tension, posture, mouth, target, flight, energy })
+        Ok(Recording { opening, points, tension, posture, mouth, target, flight, cloth, energy })
     }
 }
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, live: &Live) {
         self.measured.at_steps.step(&self.landmarks, live);
+        self.measured.cloth.add(&self.membranes, live.position_time, |node| live.net.position(node));
     }
 
     fn record(&mut self, frame: &Frame) {

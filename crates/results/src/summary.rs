@@ -48,6 +48,8 @@ pub struct Summary {
     pub target: Option<Target>,
     /// How long the web hangs about its apex.
     pub flight: Flight,
+    /// What sheets bear; none where canopies are no sheets.
+    pub canopies: Option<Cloth>,
     /// The state at the start.
     pub stowed: Stowed,
     /// The energy ledger and how well it closes.
@@ -210,6 +212,21 @@ pub struct Flight {
     pub still_up: Option<bool>,
 }
 
+/// What the sheets of canopies bear, at every step.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Cloth {
+    /// Largest principal stress (second Piola-Kirchhoff) of any triangle, Pa.
+    pub max_principal_stress_pa: f64,
+    /// When it occurred, s.
+    pub max_time_s: Option<f64>,
+    /// The canopy that bore it.
+    pub max_where: Option<String>,
+    /// What the cloth bears, Pa, where it is given.
+    pub strength_pa: Option<f64>,
+    /// Strength over largest stress.
+    pub margin: Option<f64>,
+}
+
 /// The state at the start, looked over.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Stowed {
@@ -369,6 +386,7 @@ impl Summary {
         require_finite("mouth", &self.mouth)?;
         require_finite("target", &self.target)?;
         require_finite("flight", &self.flight)?;
+        require_finite("canopies", &self.canopies)?;
         require_finite("stowed", &self.stowed)?;
         require_finite("energy", &self.energy)?;
         let mut text = serde_json::to_string_pretty(self).expect("string keys and plain data");

@@ -7,8 +7,9 @@
 //! /VTKHDF            Version [2, 2]  Type "PolyData"
 //!   Points           (steps * nodes, 3)  m, world frame
 //!   Lines            one cell of two points a segment: the topology stays, so it is stored once
+//!   Polygons         one cell of three points a triangle of a sheet, stored once
 //!   PointData        velocity (steps * nodes, 3)  m/s
-//!   CellData         tension (steps * segments)  N;  class (segments), stored once
+//!   CellData         tension (steps * cells)  N;  class (cells), stored once
 //!   Steps            Values (steps)  s, and where each step begins in the arrays above
 //! /netcast           class_names;  label_nodes, label_names: outside /VTKHDF, so ParaView passes over it
 //!                    body_nodes (bodies)  where the centres of rigid bodies are
@@ -16,7 +17,7 @@
 //! ```
 //!
 //! A cell has two points, and not a whole rope, because tension is a number a cell; where ropes run side by side it is
-//! that of one of them.
+//! that of one of them. Triangles follow the segments; they are no ropes: their tension is 0, their class -1.
 
 use std::path::Path;
 
@@ -30,7 +31,7 @@ const VECTOR_BYTES: usize = 3 * size_of::<f64>();
 const SCALAR_BYTES: usize = size_of::<f64>();
 const QUATERNION_BYTES: usize = 4 * size_of::<f64>();
 
-/// The kinds of cell of a `PolyData`, in the order of its offset columns; only lines are used here.
+/// The kinds of cell of a `PolyData`, in the order of its offset columns.
 const CELL_KINDS: [&str; 4] = ["Vertices", "Lines", "Polygons", "Strips"];
 
 /// What stays the same in every step.
@@ -42,6 +43,8 @@ pub struct FieldsTopology {
     pub segments: Vec<[u32; 2]>,
     /// The link class of each segment, an index into `class_names`.
     pub classes: Vec<u32>,
+    /// The three nodes of each triangle of a sheet.
+    pub triangles: Vec<[u32; 3]>,
     /// The names of the link classes.
     pub class_names: Vec<String>,
     /// Nodes that have a name, such as feature point B.
@@ -96,6 +99,7 @@ impl FieldsWriter {
         append_vectors(&mut self.velocities, velocities);
         self.tensions.extend(tensions.iter().flat_map(|tension| tension.to_le_bytes()));
         append_quaternions(&mut self.orientations, orientations.iter().copied());
+        self.slacken_triangles();
         Ok(())
     }
 
@@ -110,6 +114,12 @@ impl FieldsWriter {
         self.velocities.extend_from_slice(velocities);
         self.tensions.extend_from_slice(tensions);
         self.orientations.extend_from_slice(orientations);
+        self.slacken_triangles();
+    }
+
+    /// Gives the triangles of a step their tension of none.
+    fn slacken_triangles(&mut self) {
+        self.tensions.resize(self.times.len() * self.topology.cells() * SCALAR_BYTES, 0);
     }
 
     /// The time of each step so far, s.
@@ -132,7 +142,7 @@ impl FieldsWriter {
 
     fn build(self) -> Result<FileBuilder, hdf5_pure::Error> {
         let Self { topology, times, positions, velocities, tensions, orientations } = self;
-        let (nodes, segments) = (topology.nodes, topology.segments.len());
+        let (nodes, cell_count) = (topology.nodes, topology.cells());
 
         let mut file = FileBuilder::new();
         let mut vtk = file.create_group("VTKHDF");
@@ -143,8 +153,12 @@ impl FieldsWriter {
         vtk.create_dataset("NumberOfPoints").with_i64_data(&[nodes as i64]);
         vector_dataset(&mut vtk, "Points", positions);
         for kind in CELL_KINDS {
-            let lines: &[[u32; 2]] = if kind == "Lines" { &topology.segments } else { &[] };
-            let group = cells(vtk.create_group(kind), lines);
+            let group = vtk.create_group(kind);
+            let group = match kind {
+                "Lines" => cells(group, &topology.segments),
+                "Polygons" => cells(group, &topology.triangles),
+                _ => cells::<2>(group, &[]),
+            };
             vtk.add_group(group);
         }
 
@@ -155,11 +169,12 @@ impl FieldsWriter {
         let mut cell_data = vtk.create_group("CellData");
         let values = tensions.len() / SCALAR_BYTES;
         cell_data.create_dataset("tension").with_raw_data(make_f64_type(), tensions, values as u64);
-        let classes: Vec<i32> = topology.classes.iter().map(|&class| class as i32).collect();
+        let classes = topology.classes.iter().map(|&class| class as i32);
+        let classes: Vec<i32> = classes.chain(topology.triangles.iter().map(|_| -1)).collect();
         cell_data.create_dataset("class").with_i32_data(&classes);
         vtk.add_group(cell_data.finish());
 
-        let steps = steps(vtk.create_group("Steps"), &times, nodes, segments);
+        let steps = steps(vtk.create_group("Steps"), &times, nodes, cell_count);
         vtk.add_group(steps);
         file.add_group(vtk.finish());
 
@@ -190,10 +205,10 @@ fn vector_dataset(group: &mut GroupBuilder, name: &str, bytes: Vec<u8>) {
 }
 
 /// The cells of one kind: where each begins in the list of its points, and that list.
-fn cells(mut group: GroupBuilder, lines: &[[u32; 2]]) -> FinishedGroup {
-    let offsets: Vec<i64> = (0..=lines.len() as i64).map(|cell| 2 * cell).collect();
-    let connectivity: Vec<i64> = lines.iter().flatten().map(|&node| node.into()).collect();
-    group.create_dataset("NumberOfCells").with_i64_data(&[lines.len() as i64]);
+fn cells<const N: usize>(mut group: GroupBuilder, cells: &[[u32; N]]) -> FinishedGroup {
+    let offsets: Vec<i64> = (0..=cells.len()).map(|cell| (N * cell) as i64).collect();
+    let connectivity: Vec<i64> = cells.iter().flatten().map(|&node| node.into()).collect();
+    group.create_dataset("NumberOfCells").with_i64_data(&[cells.len() as i64]);
     group.create_dataset("NumberOfConnectivityIds").with_i64_data(&[connectivity.len() as i64]);
     group.create_dataset("Offsets").with_i64_data(&offsets);
     group.create_dataset("Connectivity").with_i64_data(&connectivity);
@@ -201,7 +216,7 @@ fn cells(mut group: GroupBuilder, lines: &[[u32; 2]]) -> FinishedGroup {
 }
 
 /// Where each step begins: points, velocities and tensions move on, the cells and their class stay at zero.
-fn steps(mut group: GroupBuilder, times: &[f64], nodes: usize, segments: usize) -> FinishedGroup {
+fn steps(mut group: GroupBuilder, times: &[f64], nodes: usize, cells: usize) -> FinishedGroup {
     let count = times.len();
     let every = |stride: usize| -> Vec<i64> { (0..count).map(|step| (step * stride) as i64).collect() };
     group.set_attr("NSteps", AttrValue::I64(count as i64));
@@ -217,7 +232,7 @@ fn steps(mut group: GroupBuilder, times: &[f64], nodes: usize, segments: usize) 
     point_offsets.create_dataset("velocity").with_i64_data(&every(nodes));
     group.add_group(point_offsets.finish());
     let mut cell_offsets = group.create_group("CellDataOffsets");
-    cell_offsets.create_dataset("tension").with_i64_data(&every(segments));
+    cell_offsets.create_dataset("tension").with_i64_data(&every(cells));
     cell_offsets.create_dataset("class").with_i64_data(&every(0));
     group.add_group(cell_offsets.finish());
     group.finish()
@@ -252,11 +267,16 @@ pub struct Fields {
 }
 
 impl FieldsTopology {
+    /// Number of cells: segments and triangles.
+    fn cells(&self) -> usize {
+        self.segments.len() + self.triangles.len()
+    }
+
     /// What it speaks of and does not have.
     pub(crate) fn fault(&self) -> Option<String> {
         let is_missing = |node: u32| node as usize >= self.nodes;
-        let named = self.segments.iter().flatten().chain(&self.bodies);
-        let ends = named.copied().find(|&node| is_missing(node));
+        let corners = self.segments.iter().flatten().chain(self.triangles.iter().flatten());
+        let ends = corners.chain(&self.bodies).copied().find(|&node| is_missing(node));
         let label = || self.labels.iter().map(|(node, _)| *node).find(|&node| is_missing(node));
         if let Some(node) = ends.or_else(label) {
             return Some(format!("it names node {node} of {}", self.nodes));
@@ -297,7 +317,7 @@ impl Fields {
     /// # Panics
     /// Where there is no such step; see `times`.
     pub fn tensions(&self, step: usize) -> &[f64] {
-        row(&self.tensions, step, self.topology.segments.len())
+        &row(&self.tensions, step, self.topology.cells())[..self.topology.segments.len()]
     }
 
     /// The orientation of each rigid body at a step: from its axes to the world.
@@ -341,11 +361,14 @@ fn read_arrays(path: &Path) -> Result<Fields, hdf5_pure::Error> {
         false => names.dataset("label_nodes")?.read_u32()?,
     };
     let connectivity = file.dataset("VTKHDF/Lines/Connectivity")?.read_i64()?;
+    let corners = file.dataset("VTKHDF/Polygons/Connectivity")?.read_i64()?;
+    let classes = file.dataset("VTKHDF/CellData/class")?.read_i32()?;
     let nodes = file.dataset("VTKHDF/NumberOfPoints")?.read_i64()?;
     let topology = FieldsTopology {
         nodes: nodes.first().map_or(0, |&nodes| nodes as usize),
         segments: connectivity.chunks_exact(2).map(|ends| [ends[0] as u32, ends[1] as u32]).collect(),
-        classes: file.dataset("VTKHDF/CellData/class")?.read_i32()?.iter().map(|&class| class as u32).collect(),
+        classes: classes.iter().take(connectivity.len() / 2).map(|&class| class as u32).collect(),
+        triangles: corners.chunks_exact(3).map(|nodes| [0, 1, 2].map(|k| nodes[k] as u32)).collect(),
         class_names: strings("class_names")?,
         labels: label_nodes.into_iter().zip(label_names).collect(),
         bodies: match has("body_nodes") {
@@ -376,11 +399,12 @@ fn vectors(file: &File, path: &str) -> Result<Vec<DVec3>, hdf5_pure::Error> {
 fn inconsistency(fields: &Fields) -> Option<String> {
     let Fields { topology, times, positions, velocities, tensions, orientations } = fields;
     let (nodes, segments, steps) = (topology.nodes, topology.segments.len(), times.len());
+    let cells = topology.cells();
     // more than fits a memory is more than there is
     let lengths = [
         ("Points", steps.saturating_mul(nodes), positions.len()),
         ("velocity", steps.saturating_mul(nodes), velocities.len()),
-        ("tension", steps.saturating_mul(segments), tensions.len()),
+        ("tension", steps.saturating_mul(cells), tensions.len()),
         ("class", segments, topology.classes.len()),
         ("body_orientations", steps.saturating_mul(topology.bodies.len()), orientations.len()),
     ];
@@ -399,6 +423,7 @@ mod tests {
             nodes: 4,
             segments: vec![[0, 1], [1, 2], [3, 1]],
             classes: vec![1, 0, 1],
+            triangles: vec![[0, 1, 2], [3, 2, 1]],
             class_names: vec!["outline".into(), "Zugseil ä".into()],
             labels: vec![(2, "B".into()), (0, "tractor 1".into())],
             bodies: vec![3, 0],

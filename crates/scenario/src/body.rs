@@ -131,6 +131,15 @@ pub struct Solid {
 }
 
 impl Shape {
+    /// How far it reaches from its axis, m; 0 for a particle.
+    pub fn radius_m(&self) -> f64 {
+        match *self {
+            Self::Cylinder { diameter_m, .. } | Self::Sphere { diameter_m } => 0.5 * diameter_m,
+            Self::Box { size_m: [x, y, _] } => 0.5 * (x * x + y * y).sqrt(),
+            Self::Particle => 0.0,
+        }
+    }
+
     /// Volume, m^3; 0 for a particle.
     pub fn volume_m3(&self) -> f64 {
         match *self {

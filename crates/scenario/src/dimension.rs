@@ -203,6 +203,7 @@ kinds! {
     MetrePerSquareSecond: "acceleration", "an acceleration", "m/s^2", "9.80665 m/s^2", [1, 0, -2, 0];
     Newton: "force", "a force", "N", "12 kN", [1, 1, -2, 0];
     NewtonPerMetre: "stiffness", "a stiffness or force per length", "N/m", "5 kN/m", [0, 1, -2, 0];
+    NewtonSquareMetre: "bending stiffness", "a bending stiffness", "N m^2", "0.02 N m^2", [3, 1, -2, 0];
     Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0];
     Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0];
     Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0];

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::interval::{Fraction, NonNegative, Positive};
 use crate::library::rope_names;
-use crate::quantity::{Density, Force, Length, Number, Pressure, Time};
+use crate::quantity::{BendingStiffness, Density, Force, Length, Number, Pressure, Time};
 use crate::rope_law::{RopeBreaking, RopeLaw};
 
 /// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05. Density and
@@ -35,6 +35,9 @@ pub struct Rope {
     /// modulus. Default: 0.05
     /// where `damping_time` is not given.
     pub damping_ratio: Option<Number<NonNegative>>,
+    /// Bending stiffness EI, N m^2, between the segments of a rope; knots turn freely. Left out: none. A solid rod has E
+    /// pi d^4 / 64, a rope a small part of it.
+    pub bending_stiffness: Option<BendingStiffness<Positive>>,
     /// Tension of the rope as the web is drawn, N.
     #[serde(default = "default_pretension")]
     pub pretension: Force<NonNegative>,
@@ -66,13 +69,20 @@ pub enum Damping {
     Ratio(f64),
 }
 
+impl Damping {
+    /// That of the one of both that is given; with neither, the default ratio.
+    pub(crate) fn of(time: Option<Time<NonNegative>>, ratio: Option<Number<NonNegative>>) -> Self {
+        match (time, ratio) {
+            (Some(time), _) => Self::Time(time.si()),
+            (None, ratio) => Self::Ratio(ratio.unwrap_or(DAMPING_RATIO).si()),
+        }
+    }
+}
+
 impl Rope {
     /// How the rope is damped, with the default where the scenario is silent.
     pub fn damping(&self) -> Damping {
-        match (self.damping_time, self.damping_ratio) {
-            (Some(time), _) => Damping::Time(time.si()),
-            (None, ratio) => Damping::Ratio(ratio.unwrap_or(DAMPING_RATIO).si()),
-        }
+        Damping::of(self.damping_time, self.damping_ratio)
     }
 
     /// Writes the default damping and breaking load out; forgets the material, so that no other library can change the rope.

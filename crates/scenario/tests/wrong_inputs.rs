@@ -146,7 +146,6 @@ fn what_comes_later_is_said_to_come_later() {
     for (from, to, path) in [
         ("[record]", "[environment.air]\n[record]", "environment.air"),
         ("[record]", "[targets.sphere]\n[record]", "targets"),
-        ("[canopy.links]", "[canopy.rigid]", "canopy.rigid"),
         ("[stow.bag]", "[stow.star]", "stow.star"),
     ] {
         let message = slip(from, to);

@@ -1,7 +1,7 @@
 //! A web cut into segments: the nodes that a model gives mass to.
 //!
 //! Knots come first (node k is knot k); the nodes inside ropes follow rope by rope, contiguous and in order from `a`
-//! to `b`.
+//! to `b`; nodes that a model adds, such as those inside sheets, are last.
 
 use std::ops::Range;
 
@@ -89,6 +89,7 @@ pub struct CutWeb {
     pub nodes: Vec<DVec3>,
     /// Its ropes as cut; one for each of the web's ropes, in the same order.
     pub ropes: Vec<CutRope>,
+    added: Vec<String>,
 }
 
 /// Cuts every rope into equal segments.
@@ -105,7 +106,7 @@ pub fn cut(web: &Web, cutting: &Cutting) -> Result<CutWeb, CutError> {
         let (a, b) = (nodes[rope.a], nodes[rope.b]);
         nodes.extend((1..segments).map(|node| a + (b - a) * (node as f64 / segments as f64)));
     }
-    Ok(CutWeb { web: web.clone(), nodes, ropes })
+    Ok(CutWeb { web: web.clone(), nodes, ropes, added: Vec::new() })
 }
 
 fn segment_counts(web: &Web, cutting: &Cutting) -> Result<Vec<usize>, CutError> {
@@ -133,6 +134,13 @@ fn segment_counts(web: &Web, cutting: &Cutting) -> Result<Vec<usize>, CutError> 
 }
 
 impl CutWeb {
+    /// Adds a node at this place in the flat web, m, that no rope runs through. `label` is what a message calls it.
+    pub fn add_node(&mut self, place: DVec3, label: String) -> usize {
+        self.nodes.push(place);
+        self.added.push(label);
+        self.nodes.len() - 1
+    }
+
     /// The nodes of a rope from its knot `a` to its knot `b`.
     pub fn nodes_of(&self, rope: usize) -> Vec<usize> {
         let Rope { a, b, .. } = self.web.ropes[rope];
@@ -176,11 +184,15 @@ impl CutWeb {
         }
     }
 
-    /// What a message calls a node: its knot's label, or "node 3 of traction rope 1" (nodes inside a rope count from
-    /// 1).
+    /// What a message calls a node: its knot's label, "node 3 of traction rope 1" (nodes inside a rope count from 1),
+    /// or its own.
     pub fn node_label(&self, node: usize) -> String {
         if let Some(knot) = self.web.knots.get(node) {
             return knot.label.clone();
+        }
+        let first_added = self.nodes.len() - self.added.len();
+        if node >= first_added {
+            return self.added[node - first_added].clone();
         }
         // the last rope to begin at or before this node has it: ropes of one segment begin where the next does
         let rope = self.ropes.partition_point(|rope| rope.first_interior <= node) - 1;

@@ -58,7 +58,7 @@ pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut
 pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
-pub use packing::{Audit, Bag, Given, LongestStretch, PackingError, Pattern, Scale, StowedSegment, audit};
+pub use packing::{Audit, Bag, Given, LongestStretch, PackingError, Pattern, Scale, StiffPlate, StowedSegment, audit};
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
 pub use sheet::{MOST_FINENESS, Sheet, hexagonal_sheet};

@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 25] = [
+pub const SCENARIOS: [(&str, &str); 28] = [
     (
         "space web, everything on board",
         r#"
@@ -456,6 +456,67 @@ launch.tube = { stroke = "20 mm", force_over_time = { at = [0, "1 ms"], force = 
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
 solve = { duration = "6 ms", segment_length = "0.2 m" }
 record.every = "0.5 ms"
+"#,
+    ),
+    (
+        "space web of rigid plates",
+        r#"
+web.space.side = "1 m"
+canopy.rigid = { side = "0.1 m", thickness = "5 mm", density = 2000 }
+payload.cylinder = {}
+sensor.particle.mass = "0.2 kg"
+tractor.particle.mass = "1 kg"
+stow.scale.factor = 0.5
+launch.radial_speed = "30 m/s"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", bending_stiffness = "0.002 N m^2" }
+solve = { duration = "2 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "space web of orthotropic plates, tied over patches",
+        r#"
+web.space.side = "1 m"
+payload.cylinder.mass = "0.2 kg"
+sensor.cylinder.mass = "0.2 kg"
+tractor.particle.mass = "1 kg"
+stow.bag = { radius = "0.2 m", depth = "0.1 m" }
+launch.radial_speed = "30 m/s"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+ropes.stiff = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", bending_stiffness = 0.001 }
+assign.radial = "stiff"
+solve = { duration = "2 ms", segment_length = "0.1 m" }
+record.every = "0.2 ms"
+
+[canopy.membrane]
+material = "aramid cloth"
+side = "0.1 m"
+thickness = "5 mm"
+density = 2000
+elastic_modulus = "9 GPa"
+elastic_modulus_across = "5 GPa"
+poisson_ratio = 0.2
+shear_modulus = "1 GPa"
+fibre_angle = "30 deg"
+fineness = 4
+wrinkles = false
+bending = "plate"
+tie_radius = "26 mm"
+damping_ratio = 0.1
+strength = "300 MPa"
+"#,
+    ),
+    (
+        "space web of cloth",
+        r#"
+web.space.side = "1 m"
+canopy.membrane = { material = "nylon cloth", thickness = "0.3 mm", wrinkles = true, bending = "none", damping_time = "2 us" }
+tractor.particle.mass = "1 kg"
+stow.bag.radius = "0.2 m"
+launch.radial_speed = "30 m/s"
+rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
+solve = { duration = "2 ms", segment_length = "0.2 m" }
+record.every = "0.2 ms"
 "#,
     ),
 ];

@@ -259,11 +259,19 @@ fn cost(model: &Model) {
     let limit = model.limited_by().unwrap_or("nothing".into());
     let fraction = model.largest_dt() / model.limit.dt;
     let records = schedule.count / schedule.steps_per_record + 1;
-    let frame = (nodes * 6 + segments) * size_of::<f64>();
+    let elements = [
+        ("bends", model.system.bends().len()),
+        ("triangles", model.system.membranes().len()),
+        ("hinges", model.system.hinges().len()),
+        ("rigid bodies", model.system.bodies().len()),
+    ];
+    let elements = elements.into_iter().filter(|(_, count)| *count > 0);
+    let elements: String = elements.map(|(name, count)| format!(", {count} {name}")).collect();
+    let frame = (nodes * 6 + segments + model.system.membranes().len()) * size_of::<f64>();
     let seconds = schedule.count as f64 * step_time(model, schedule.dt);
     say!("Cost");
     rows(&[
-        ("model".into(), format!("{nodes} nodes, {segments} segments")),
+        ("model".into(), format!("{nodes} nodes, {segments} segments{elements}")),
         (
             "step".into(),
             format!(

@@ -60,10 +60,20 @@ pub struct SheetStress {
 impl SheetStress {
     /// Principal stresses, Pa, the larger one first, and the angle of its direction from the fibres, rad.
     pub fn principal(&self) -> ([f64; 2], f64) {
+        let (mean, deviation) = self.mean_and_deviation();
+        let radius = deviation.length();
+        ([mean + radius, mean - radius], 0.5 * libm::atan2(deviation.y, deviation.x))
+    }
+
+    /// The larger principal stress, Pa.
+    pub fn largest(&self) -> f64 {
+        let (mean, deviation) = self.mean_and_deviation();
+        mean + deviation.length()
+    }
+
+    fn mean_and_deviation(&self) -> (f64, DVec2) {
         let [along, across, shear] = self.components;
-        let (mean, difference) = (0.5 * (along + across), 0.5 * (along - across));
-        let radius = DVec2::new(difference, shear).length();
-        ([mean + radius, mean - radius], 0.5 * libm::atan2(shear, difference))
+        (0.5 * (along + across), DVec2::new(0.5 * (along - across), shear))
     }
 }
 

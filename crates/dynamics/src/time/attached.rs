@@ -9,6 +9,8 @@
 //! Nodes are reached through closures, for each step keeps them in its own way. Forces are summed in the order of the
 //! system's lists, whatever the number of threads.
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -52,6 +54,10 @@ pub(super) struct Attached<'a> {
     factors: StepFactors,
     /// Force on each node, N, (nodes,); that of ropes is not in it.
     force: Vec<DVec3>,
+    /// The nodes of elements, each once, and position and velocity of those, (nodes,): each is asked for once a step, for
+    /// a node of a sheet has six triangles and twelve hinges.
+    of_elements: Vec<usize>,
+    moving: Vec<(DVec3, DVec3)>,
     bends: Elements<'a, Bending, 3>,
     membranes: Elements<'a, Membrane, 3>,
     hinges: Elements<'a, Hinge, 4>,
@@ -111,6 +117,8 @@ impl<'a> Attached<'a> {
             system,
             factors,
             force: vec![DVec3::ZERO; system.mass().len()],
+            of_elements: BTreeSet::from_iter(element_nodes(system)).into_iter().collect(),
+            moving: vec![(DVec3::ZERO, DVec3::ZERO); system.mass().len()],
             bends: Elements::new(system.bends()),
             membranes: Elements::new(system.membranes()),
             hinges: Elements::new(system.hinges()),
@@ -166,21 +174,20 @@ impl<'a> Attached<'a> {
 
     /// The nodes on which something beside ropes may act.
     pub fn touched(system: &System) -> impl Iterator<Item = usize> {
-        let bends = system.bends().iter().flat_map(|bend| bend.nodes());
-        let membranes = system.membranes().iter().flat_map(|membrane| membrane.nodes());
-        let hinges = system.hinges().iter().flat_map(|hinge| hinge.nodes());
         let loads = system.loads().iter().map(|load| load.node);
         let centres = system.bodies().iter().map(|body| body.centre);
         let launched = system.launchers().iter().map(|launcher| launcher.node);
-        bends.chain(membranes).chain(hinges).chain(loads).chain(centres).chain(launched)
+        element_nodes(system).chain(loads).chain(centres).chain(launched)
     }
 
     /// The forces of loads and elements at `time`, s. `node` tells where a node is and how it moves.
     pub fn act(&mut self, team: &Team, time: f64, node: impl Fn(usize) -> Moving + Sync) {
-        let at = |index: usize| {
+        for &index in &self.of_elements {
             let Moving { x, v: _, w } = node(index);
-            (x, w)
-        };
+            self.moving[index] = (x, w);
+        }
+        let moving = &self.moving;
+        let at = |index: usize| moving[index];
         let force = &mut self.force;
         force.fill(DVec3::ZERO);
         load::add_force(self.system.loads(), time, force);
@@ -309,6 +316,14 @@ impl<'a> Attached<'a> {
         self.carried.extend(let_go);
         &self.carried
     }
+}
+
+/// The nodes of elements, as often as they occur.
+fn element_nodes(system: &System) -> impl Iterator<Item = usize> {
+    let bends = system.bends().iter().flat_map(|bend| bend.nodes());
+    let membranes = system.membranes().iter().flat_map(|membrane| membrane.nodes());
+    let hinges = system.hinges().iter().flat_map(|hinge| hinge.nodes());
+    bends.chain(membranes).chain(hinges)
 }
 
 impl Turning {

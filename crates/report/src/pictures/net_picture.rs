@@ -4,7 +4,7 @@
 //! size and attitude, or are dots of the least size that can be seen. The outline is shaded while the web counts as open.
 
 use glam::{DVec2, IVec2};
-use netcast_results::{BodyKind, BodyMark};
+use netcast_results::{BodyKind, BodyMark, CanopyMark};
 
 use super::body_outline::outline;
 use super::camera::Camera;
@@ -89,8 +89,12 @@ impl NetPicture<'_> {
         if canopies.is_empty() {
             return;
         }
-        let rims: String = canopies.iter().map(|canopy| polygon(canopy.rim.iter().map(|&node| points[node]))).collect();
-        svg.push_str(&format!("<path class=\"canopy\" d=\"{rims}\"/>"));
+        let path: String = canopies
+            .iter()
+            .flat_map(CanopyMark::loops)
+            .map(|corners| polygon(corners.iter().map(|&node| points[node])))
+            .collect();
+        svg.push_str(&format!("<path class=\"canopy\" d=\"{path}\"/>"));
     }
 
     fn draw_ropes(&self, frame: usize, points: &[IVec2], svg: &mut String) {

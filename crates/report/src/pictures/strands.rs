@@ -206,6 +206,7 @@ mod tests {
             nodes,
             segments,
             classes: vec![0; count],
+            triangles: Vec::new(),
             class_names: vec!["rope".into()],
             ..FieldsTopology::default()
         };

@@ -165,6 +165,7 @@ mod tests {
             ropes: vec![NamedRope { name: "rope".into(), strength: None, knot_reduction: None }],
             groups: [0, 1].map(|class| Group { class, rope: Some(0) }).to_vec(),
             canopies: Vec::new(),
+            cloth_strength: None,
             bodies: vec![BodyMark {
                 kind: BodyKind::Tractor,
                 node: 77,
@@ -176,6 +177,7 @@ mod tests {
             nodes: SEGMENTS + 1,
             segments: (0..SEGMENTS as u32).map(|node| [node, node + 1]).collect(),
             classes: (0..SEGMENTS as u32).map(|segment| segment / 300).collect(),
+            triangles: Vec::new(),
             class_names: vec!["one".into(), "other".into()],
             labels: Vec::new(),
             bodies: vec![77],

@@ -225,7 +225,8 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "canopies": landmarks
             .canopies
             .iter()
-            .map(|canopy| json!({"hub": place(&canopy.hub), "rim": places(&canopy.rim)}))
+            .flat_map(|canopy| canopy.faces())
+            .map(|face| places(&face))
             .collect::<Vec<_>>(),
         "bodies": landmarks
             .bodies

@@ -57,15 +57,15 @@ impl Drawn {
 /// The nodes that something is said about.
 fn meaningful(landmarks: &Landmarks) -> BTreeSet<usize> {
     let groups = landmarks.outline.iter().chain(landmarks.points.iter().map(|point| &point.nodes));
-    let canopies = landmarks.canopies.iter().flat_map(|canopy| canopy.rim.iter().chain([&canopy.hub]));
+    let canopies = landmarks.canopies.iter().flat_map(|canopy| canopy.faces()).flatten();
     groups
         .flatten()
         .chain(&landmarks.corners)
         .chain(&landmarks.tractors)
         .chain(&landmarks.centre)
-        .chain(canopies)
         .chain(landmarks.bodies.iter().map(|body| &body.node))
         .copied()
+        .chain(canopies)
         .collect()
 }
 

@@ -440,12 +440,8 @@ class View {
       sheets.push([fan(scaled(rim.reduce(add), 1 / rim.length), rim), look.colours.open]);
     }
     if (look.canopies && data.canopies.length > 0) {
-      const corners = ({ hub, rim }) =>
-        fan(
-          this.place(hub),
-          rim.map((node) => this.place(node)),
-        );
-      sheets.push([data.canopies.flatMap(corners), look.colours.canopy]);
+      const corners = data.canopies.flat().flatMap((node) => this.place(node));
+      sheets.push([corners, look.colours.canopy]);
     }
     if (sheets.length === 0) return;
     const uniforms = this.use("sheets", scene);

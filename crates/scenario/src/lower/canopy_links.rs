@@ -14,8 +14,6 @@
 
 use crate::canopy::CanopyLinks;
 
-/// Area over the square of the side of a regular hexagon: 3 sqrt(3)/2.
-const HEXAGON_AREA: f64 = 2.598_076_211_353_316;
 /// sqrt(3)/2.
 const HALF_ROOT_3: f64 = 0.866_025_403_784_438_6;
 
@@ -34,27 +32,18 @@ pub struct Members {
     pub side_mass: f64,
     /// Damping ratio of each.
     pub damping_ratio: f64,
-    /// Volume of the canopy, m^3.
-    pub volume: f64,
-    /// Mass of the canopy, kg.
-    pub mass: f64,
 }
 
-/// The members of a canopy.
-pub fn members(canopy: &CanopyLinks) -> Members {
-    let (side, thickness) = (canopy.side.si(), canopy.thickness.si());
-    let volume = HEXAGON_AREA * side * side * thickness;
-    let mass = canopy.density.si() * volume;
-    let spoke_stiffness = HALF_ROOT_3 * canopy.elastic_modulus.si() * thickness;
+/// The members of a canopy of this mass, kg.
+pub fn members(canopy: &CanopyLinks, mass: f64) -> Members {
+    let spoke_stiffness = HALF_ROOT_3 * canopy.elastic_modulus.si() * canopy.thickness.si();
     Members {
-        length: side,
+        length: canopy.side.si(),
         spoke_stiffness,
         side_stiffness: 0.5 * spoke_stiffness,
         // halved between their ends, these give the hub m/3 and each rim node m/9
         spoke_mass: mass / 9.0,
         side_mass: mass / 18.0,
         damping_ratio: canopy.damping_ratio.si(),
-        volume,
-        mass,
     }
 }

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::quantity::Length;
 use crate::scenario::Scenario;
-use crate::{canopy, web};
+use crate::web;
 
 use super::size::Size;
 
@@ -44,6 +44,8 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     let size = Size::of_web(&web, length);
     let path = if per_mesh.is_some() { "web.square.segments_per_mesh" } else { "solve.segment_length" };
     size.require(document, path, "cut it into longer segments, or run it where there is more memory")?;
+    let size = size.with_sheets(&web, scenario.canopy.as_ref());
+    size.require(document, "canopy.membrane.fineness", "mesh it with fewer triangles")?;
     let path = if scenario.record.fields_every.is_some() { "record.fields_every" } else { "record.every" };
     size.recorded(scenario).require(document, path, "record less often, or give `record.fields_every`")?;
     cut(&web, &Cutting::SegmentLength(length)).map_err(|error| {
@@ -68,8 +70,8 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
         web::Web::Traditional(w) => one("web.traditional", traditional(w.side.si(), w.cells_per_side.get() as usize)),
         web::Web::Topological(w) => one("web.topological", topological(w.side.si(), w.hexagon_side.si())),
         web::Web::Space(w) => {
-            let canopy::Canopy::Links(canopy) = scenario.canopy.clone().unwrap_or_default();
-            one("web.space", space(w.side.si(), canopy.side.si()))
+            let canopy = scenario.canopy.clone().unwrap_or_default();
+            one("web.space", space(w.side.si(), canopy.side_m()))
         }
         web::Web::Square(w) => {
             let net = square(w.side.si(), w.mesh.si());

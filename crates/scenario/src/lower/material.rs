@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use netcast_dynamics::forces::bending::Bending;
 use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
@@ -9,6 +10,7 @@ use netcast_dynamics::system::Segment;
 use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
 use super::assignment::{rings, ropes_of_links};
+use super::canopies::Canopies;
 use super::{canopy_links, is_plain, rope_law};
 use crate::canopy::Canopy;
 use crate::csv_files::RopeRow;
@@ -56,6 +58,8 @@ pub struct Materials {
     pub members: Vec<Member>,
     pub mass: Vec<f64>,
     pub groups: Vec<Group>,
+    pub bends: Vec<Bending>,
+    pub canopies: Canopies,
     pub bodies: Vec<PlacedBody>,
     pub bill: Bill,
 }
@@ -136,15 +140,16 @@ pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> V
 /// Makes segments and masses of a cut web.
 pub fn materials(
     document: &Document,
-    cut: &CutWeb,
+    cut: &mut CutWeb,
     scenario: &Scenario,
     notes: &mut Vec<String>,
 ) -> Result<Materials, Diagnostics> {
-    let web = &cut.web;
+    let web = &cut.web.clone();
     let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
     class_names(document, cut, rows)?;
     let kinds = ropes_of_links(document, scenario, web, rows, notes)?;
-    let groups = groups(document, scenario, web, &kinds)?;
+    let canopy = (!web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default());
+    let groups = groups(document, scenario, web, &kinds, matches!(canopy, Some(Canopy::Links(_))))?;
     let group_number = |class: &Class, rope: Option<&str>| {
         let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
         groups.iter().position(is_it).expect("every class is listed with its ropes")
@@ -164,25 +169,32 @@ pub fn materials(
         members.push(Member { segment: piece, part: Part::Rope(segment) });
     }
 
-    let mut canopy = Solid::default();
-    if !web.canopies.is_empty() {
-        let Canopy::Links(links) = scenario.canopy.clone().unwrap_or_default();
-        let made = canopy_links::members(&links);
-        canopy = Solid { mass: made.mass, volume: made.volume };
-        add_canopies(cut, &made, group_number(&Class::Canopy, None), &mut members, &mut mass);
-    }
+    let bends = bends(document, cut, &kinds)?;
+
     let bodies = bodies(scenario, web);
+    let (mut canopies, mut cloth) = (Canopies::default(), Solid::default());
+    if let Some(canopy) = &canopy {
+        (cloth.mass, cloth.volume) = canopy.mass_and_volume();
+        if let Canopy::Links(links) = canopy {
+            let made = canopy_links::members(links, cloth.mass);
+            add_canopies(cut, &made, group_number(&Class::Canopy, None), &mut members, &mut mass);
+        }
+        canopies = Canopies::new(document, canopy, &bodies, cut, &mut mass)?;
+    }
     for body in &bodies {
-        mass[body.node] += body.solid.mass_kg;
+        if !canopies.carry(body, cut) {
+            mass[body.node] += body.solid.mass_kg;
+        }
     }
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         mass[node] += row.mass_kg;
     }
+    canopies.bind(cut, &mut mass);
     let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
     let tractor_masses = tractors.map(|body| body.solid.mass_kg).collect();
     let payload =
         scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg, volume: p.shape.volume_m3() });
-    let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy, payload, tractor_masses };
+    let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy: cloth, payload, tractor_masses };
     for (name, rope) in &kinds {
         let kind = RopeKind {
             name: (*name).to_owned(),
@@ -195,7 +207,7 @@ pub fn materials(
         });
         parts.kind_of_rope.push(known);
     }
-    Ok(Materials { members, mass, groups, bodies, bill: bill(web, &parts) })
+    Ok(Materials { members, mass, groups, bends, canopies, bodies, bill: bill(web, &parts) })
 }
 
 /// Each pair of link class and rope that the web has, in order of class.
@@ -204,6 +216,7 @@ fn groups(
     scenario: &Scenario,
     web: &netcast_webs::Web,
     kinds: &[(&str, &Rope)],
+    canopies_are_links: bool,
 ) -> Result<Vec<Group>, Diagnostics> {
     let mut groups: Vec<Group> = Vec::new();
     for (rope, (name, kind)) in web.ropes.iter().zip(kinds) {
@@ -219,12 +232,31 @@ fn groups(
             });
         }
     }
-    if !web.canopies.is_empty() {
+    if canopies_are_links {
         let (class, law, breaking) = (Class::Canopy, Law::Linear, Breaking::NEVER);
         groups.push(Group { class, rope: None, strength: None, knot_reduction: None, law, breaking });
     }
     groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
     Ok(groups)
+}
+
+/// Where ropes resist bending: at every node inside a rope that has a bending stiffness. Knots turn freely.
+fn bends(document: &Document, cut: &CutWeb, kinds: &[(&str, &Rope)]) -> Result<Vec<Bending>, Diagnostics> {
+    let mut bends = Vec::new();
+    for (rope, (name, kind)) in kinds.iter().enumerate() {
+        let Some(stiffness) = kind.bending_stiffness else { continue };
+        let Piece { rest_length, damping, stiffness: axial, .. } =
+            Piece::new(kind, &Law::Linear, cut.ropes[rope].segment_length, 0.0);
+        for nodes in cut.nodes_of(rope).windows(3) {
+            let nodes = [nodes[0], nodes[1], nodes[2]];
+            let bend = Bending::new(nodes, [rest_length; 2], stiffness.si(), damping / axial);
+            bends.push(bend.map_err(|error| {
+                let table = if *name == "rope" { "rope".to_owned() } else { format!("ropes.{name}") };
+                document.diagnostic(&format!("{table}.bending_stiffness"), error.to_string())
+            })?);
+        }
+    }
+    Ok(bends)
 }
 
 /// Payloads, sensor and tractors where they sit.

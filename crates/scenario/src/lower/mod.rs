@@ -5,6 +5,7 @@
 //! assignment  which rope each link has
 //! material    ropes, canopies and bodies as stiffness, damping and mass
 //! rope_law    laws of tension, and when a rope breaks
+//! canopies    plates and sheets: their triangles, and what of them is rigid
 //! stowing     where the nodes lie
 //! launch      how the tractors are thrown, as meant
 //! scatter     and as chance has it
@@ -18,7 +19,9 @@
 //! Everything that does not fit is reported at the place in the file that says so.
 
 mod assignment;
+mod binding;
 mod bodies;
+mod canopies;
 mod canopy_links;
 mod drawing;
 mod drives;
@@ -32,11 +35,12 @@ mod selection;
 mod size;
 mod stowing;
 
+pub use canopies::CutSheet;
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
 pub use stowing::node_id;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use netcast_dynamics::body::Body;
 use netcast_dynamics::energy::Ledger;
 use netcast_dynamics::forces::law::RopeState;
@@ -51,6 +55,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::scenario::Scenario;
 use crate::solve::Solve;
+use binding::Bound;
+use canopies::Canopies;
 use material::Member;
 
 /// The share of the stability limit at which a web's energy balance closes to what is asked, with room to
@@ -110,6 +116,8 @@ pub struct Model {
     pub bodies: Vec<PlacedBody>,
     /// How each tractor is thrown, in the order of the corners, (tractors,); none where it is not.
     pub throws: Vec<Option<Throw>>,
+    /// The canopies that are sheets, in order.
+    pub sheets: Vec<CutSheet>,
     /// The bill of materials.
     pub bill: Bill,
     /// The state at the start, looked over.
@@ -129,13 +137,15 @@ impl Model {
     pub fn new(document: &Document) -> Result<Model, Diagnostics> {
         let mut scenario = document.scenario.clone();
         let mut notes = document.library.notes();
-        let cut = drawing::draw(document, &mut scenario, &mut notes)?;
+        let mut cut = drawing::draw(document, &mut scenario, &mut notes)?;
         let frame = launch::frame(&scenario);
         // what can be wrong with a web once it is drawn, all at once
         let mut found = Vec::new();
-        let materials = gather(material::materials(document, &cut, &scenario, &mut notes), &mut found);
-        let stowed = gather(stowing::stow(document, &cut, &mut scenario), &mut found);
-        let position: Vec<DVec3> = stowed.iter().flatten().map(|&x| frame * x).collect();
+        let materials = gather(material::materials(document, &mut cut, &scenario, &mut notes), &mut found);
+        let no_canopies = Canopies::default();
+        let canopies = materials.as_ref().map_or(&no_canopies, |made| &made.canopies);
+        let stowed = gather(stowing::stow(document, &cut, &scenario, canopies), &mut found);
+        let position: Vec<DVec3> = stowed.iter().flat_map(|stowed| &stowed.positions).map(|&x| frame * x).collect();
         let loads = match &materials {
             Some(made) => gather(loads::loads(document, &cut, &scenario, &made.members, &made.groups), &mut found),
             None => None,
@@ -145,13 +155,22 @@ impl Model {
             true => None,
         };
         let throws = gather(launch::throws(document, &cut, &scenario), &mut found);
-        let held = gather(held(document, &cut, &scenario), &mut found);
+        let held = gather(held(document, &cut, &scenario, &canopies.bound), &mut found);
         let audit = match (&materials, &stowed) {
-            (Some(materials), Some(stowed)) => gather(stowing::audit(document, &cut, materials, stowed), &mut found),
+            (Some(materials), Some(stowed)) => {
+                gather(stowing::audit(document, &cut, materials, &stowed.positions), &mut found)
+            }
             _ => None,
         };
-        let (Some(mut materials), Some(loads), Some(drives), Some(mut throws), Some(mut held), Some(audit)) =
-            (materials, loads, drives, throws, held, audit)
+        let (
+            Some(mut materials),
+            Some(stowed),
+            Some(loads),
+            Some(drives),
+            Some(mut throws),
+            Some(mut held),
+            Some(audit),
+        ) = (materials, stowed, loads, drives, throws, held, audit)
         else {
             return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
         };
@@ -168,6 +187,10 @@ impl Model {
             tractor,
             segments: materials.members.iter().map(|m| m.segment).collect(),
             laws: materials.groups.iter().map(|group| group.law.clone()).collect(),
+            bends: materials.bends,
+            membranes: materials.canopies.membranes,
+            hinges: materials.canopies.hinges,
+            bodies: materials.canopies.bound.iter().map(|bound| bound.body.clone()).collect(),
             loads,
             drives,
             environment: Environment {
@@ -178,7 +201,12 @@ impl Model {
             ..SystemParts::default()
         };
         let velocity = launch::own_velocities(document, &cut, frame);
-        let mut state = State { position, velocity, ..State::default() };
+        let turned = |bound: &Bound| {
+            let orientation = DQuat::from_mat3(&(frame * stowed.turns[bound.canopy] * bound.axes)).normalize();
+            bound.body.turning(orientation, DVec3::ZERO)
+        };
+        let rotation = materials.canopies.bound.iter().map(turned).collect();
+        let mut state = State { position, velocity, rotation };
         let axis = frame * DVec3::Z;
         let rigid = (&mut parts, &mut state);
         bodies::make_rigid(document, &cut, &scenario, &throws, axis, &mut materials.bodies, rigid)?;
@@ -198,7 +226,7 @@ impl Model {
         let chosen = step_fraction(&system, &limit, &scenario.solve);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
-        // the packing knows nothing of laws
+        // the packing knows nothing of laws, nor of elements
         let ropes = RopeState::at_rest(&system, &state.position);
         let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
         if scenario.solve.statics.is_some()
@@ -235,6 +263,7 @@ impl Model {
             limit,
             notes,
             members: materials.members,
+            sheets: materials.canopies.sheets,
             cells,
             cut,
         })
@@ -382,7 +411,7 @@ fn is_plain(name: &str) -> bool {
 }
 
 /// The nodes that stay put: `[hold]` and what a graph's file says.
-fn held(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Vec<bool>, Diagnostics> {
+fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bound]) -> Result<Vec<bool>, Diagnostics> {
     let mut held = vec![false; cut.nodes.len()];
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         held[node] = row.fixed;
@@ -398,7 +427,12 @@ fn held(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Vec<bo
         }
     }
     for (index, id) in hold.nodes.iter().enumerate() {
+        let is_bound = |knot: usize| bound.iter().flat_map(|bound| &bound.body.ties).any(|tie| tie.node == knot);
         match cut.web.knot_named(id) {
+            Some(knot) if is_bound(knot) => {
+                let message = format!("{id:?} is a part of a rigid body, which cannot be held at one of its points");
+                found.push(document.diagnostic(&format!("hold.nodes.{index}"), message));
+            }
             Some(knot) => held[knot] = true,
             None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
         }

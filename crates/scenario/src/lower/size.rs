@@ -6,6 +6,7 @@
 use netcast_webs::{MOST_SEGMENTS, Web};
 
 use super::MOST_ROWS;
+use crate::canopy::Canopy;
 use crate::csv_files::GraphFiles;
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
@@ -16,6 +17,8 @@ use crate::scenario::Scenario;
 const KNOT: f64 = 500.0;
 const ROPE: f64 = 400.0;
 const SEGMENT: f64 = 700.0;
+/// And for each triangle of a sheet with its hinges and its share of a node.
+const TRIANGLE: f64 = 2500.0;
 
 /// Copies of the recorded fields in memory while their file and the report are written.
 const COPIES: f64 = 2.5;
@@ -32,6 +35,8 @@ pub(super) struct Size {
     ropes: f64,
     /// Segments that they are cut into.
     segments: f64,
+    /// Triangles of sheets.
+    triangles: f64,
     /// Rows of the history.
     rows: f64,
     /// Frames of the fields.
@@ -54,6 +59,13 @@ impl Size {
         Self { knots: web.knots.len() as f64, ropes: web.ropes.len() as f64, segments: cut.sum(), ..Self::default() }
     }
 
+    /// With the sheets of its canopies.
+    pub(super) fn with_sheets(self, web: &Web, canopy: Option<&Canopy>) -> Self {
+        let Some(Canopy::Membrane(sheet)) = canopy else { return self };
+        let fineness = f64::from(sheet.fineness.get());
+        Self { triangles: web.canopies.len() as f64 * 6.0 * fineness * fineness, ..self }
+    }
+
     /// With what is recorded of it.
     pub(super) fn recorded(self, scenario: &Scenario) -> Self {
         let (duration, record) = (scenario.solve.run_time().unwrap_or(0.0), &scenario.record);
@@ -64,23 +76,26 @@ impl Size {
 
     /// Bytes that a run takes.
     fn bytes(&self) -> f64 {
-        let nodes = (self.knots + self.segments - self.ropes).max(0.0);
+        // two triangles to a node inside a sheet
+        let nodes = (self.knots + self.segments - self.ropes).max(0.0) + 0.5 * self.triangles;
         // positions, velocities, tensions
-        let frame = (6.0 * nodes + self.segments) * size_of::<f64>() as f64;
-        KNOT * self.knots + ROPE * self.ropes + SEGMENT * self.segments + ROW * self.rows + COPIES * frame * self.frames
+        let frame = (6.0 * nodes + self.segments + self.triangles) * size_of::<f64>() as f64;
+        let web = KNOT * self.knots + ROPE * self.ropes + SEGMENT * self.segments + TRIANGLE * self.triangles;
+        web + ROW * self.rows + COPIES * frame * self.frames
     }
 
     /// That the machine has the memory; the refusal stands at `path`. What is beyond every machine is refused elsewhere,
     /// with its own bounds.
     pub(super) fn require(&self, document: &Document, path: &str, help: &str) -> Result<(), Diagnostics> {
-        let Self { knots, ropes, segments, rows, frames } = self;
+        let Self { knots, ropes, segments, triangles, rows, frames } = self;
         let (needed, Some(available)) = (self.bytes(), available()) else { return Ok(()) };
         if needed <= available || *segments > MOST_SEGMENTS as f64 || *rows > MOST_ROWS {
             return Ok(());
         }
         let recorded = if *frames > 0.0 { format!(" recorded {frames:.0} times") } else { String::new() };
+        let sheets = if *triangles > 0.0 { format!(" and {triangles:.0} triangles") } else { String::new() };
         let message = format!(
-            "{segments:.0} segments in {ropes:.0} ropes between {knots:.0} knots{recorded} take about {} of memory, and \
+            "{segments:.0} segments in {ropes:.0} ropes between {knots:.0} knots{sheets}{recorded} take about {} of memory, and \
              this machine has {} to give",
             in_words(needed),
             in_words(available),

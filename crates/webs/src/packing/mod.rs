@@ -6,11 +6,13 @@
 mod audit;
 mod bag;
 mod given;
+mod plate;
 mod scale;
 
 pub use audit::{Audit, LongestStretch, StowedSegment, audit};
 pub use bag::Bag;
 pub use given::Given;
+pub use plate::StiffPlate;
 pub use scale::Scale;
 
 use glam::DVec3;

@@ -1,0 +1,42 @@
+//! What sheets bear: the largest principal stress of any triangle, at every step.
+
+use glam::DVec3;
+use netcast_dynamics::forces::element::Element;
+use netcast_dynamics::forces::membrane::Membrane;
+use serde::{Deserialize, Serialize};
+
+use crate::landmarks::Landmarks;
+use crate::measures::Peak;
+use crate::summary::Cloth;
+
+/// The largest stress so far, and which triangle bore it.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct ClothMeasures {
+    stress: Peak,
+    triangle: usize,
+}
+
+impl ClothMeasures {
+    /// Takes the triangles into account with their nodes at `position`, m, at `time`, s.
+    pub fn add(&mut self, membranes: &[Membrane], time: f64, position: impl Fn(usize) -> DVec3) {
+        for (index, triangle) in membranes.iter().enumerate() {
+            if self.stress.add(time, triangle.stress(triangle.nodes().map(&position)).largest()) {
+                self.triangle = index;
+            }
+        }
+    }
+
+    /// The summary's part; none where there are no sheets.
+    pub fn finish(self, membranes: &[Membrane], landmarks: &Landmarks) -> Option<Cloth> {
+        let nodes = membranes.get(self.triangle)?.nodes();
+        let canopy = landmarks.canopies.iter().position(|canopy| canopy.triangles.contains(&nodes));
+        let largest = self.stress.value()?;
+        Some(Cloth {
+            max_principal_stress_pa: largest,
+            max_time_s: self.stress.time(),
+            max_where: canopy.map(|index| format!("canopy {}", index + 1)),
+            strength_pa: landmarks.cloth_strength,
+            margin: landmarks.cloth_strength.filter(|_| largest > 0.0).map(|strength| strength / largest),
+        })
+    }
+}

@@ -1,0 +1,137 @@
+//! Stiff canopies in a packed web: patterns move every point for itself, as cloth lets itself be moved; a plate keeps
+//! its shape.
+//!
+//! A plate is put where the pattern puts its middle, and stays parallel to the flat web; ropes tied to it run straight
+//! from tie to tie. Between two plates of side s whose middles are L apart in the flat web, a rope is L - sqrt(3) s long.
+//! Where the pattern brings the middles to q L along the same line, its ties are |q L - sqrt(3) s| apart: no q from 0 to 1
+//! stretches it as long as L > 2 sqrt(3) s. In a deep bag the middles stand one above the other and the ties can be
+//! farther apart; the audit tells. Plates lie across one another as they come, for nothing here knows of contact.
+
+use glam::{DMat3, DVec3};
+
+use crate::CutWeb;
+
+/// A share of a plate's size by which given places may be off: what is written in a file is rounded.
+const TOLERANCE: f64 = 1e-6;
+
+/// A canopy that keeps its shape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StiffPlate {
+    /// Its index in [`crate::Web::canopies`].
+    pub canopy: usize,
+    /// Every node that it carries.
+    pub nodes: Vec<usize>,
+}
+
+impl StiffPlate {
+    /// Puts the plates where a pattern has put their middles, parallel to the flat web, and draws the ropes that are
+    /// tied to them straight.
+    pub fn lay(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) {
+        let mut is_tied = vec![false; cut_web.web.knots.len()];
+        for plate in plates {
+            plate.place(cut_web, DMat3::IDENTITY, packed);
+            cut_web.web.canopies[plate.canopy].rim.iter().for_each(|&knot| is_tied[knot] = true);
+        }
+        for (rope, cut) in cut_web.web.ropes.iter().zip(&cut_web.ropes) {
+            if is_tied[rope.a] || is_tied[rope.b] {
+                let (a, b) = (packed[rope.a], packed[rope.b]);
+                for (node, place) in cut.interior().zip(1..) {
+                    packed[node] = a.lerp(b, f64::from(place) / cut.segments as f64);
+                }
+            }
+        }
+    }
+
+    /// Puts the plate where its own middle and corners have been put, and says how it is turned against the flat web.
+    ///
+    /// # Errors
+    /// Where it would have to be bent for that: the largest distance by which a corner is off, m.
+    pub fn fit(&self, cut_web: &CutWeb, packed: &mut [DVec3]) -> Result<DMat3, f64> {
+        let canopy = &cut_web.web.canopies[self.canopy];
+        let rim = canopy.rim.map(|knot| packed[knot]);
+        let x = (rim[0] - rim[3]).normalize_or_zero();
+        let z = x.cross(rim[1] + rim[2] - rim[4] - rim[5]).normalize_or_zero();
+        let turn = DMat3::from_cols(x, z.cross(x), z);
+        let placed = |node: usize| packed[canopy.hub] + turn * (cut_web.nodes[node] - cut_web.nodes[canopy.hub]);
+        let off = canopy.rim.iter().map(|&knot| placed(knot).distance(packed[knot])).fold(0.0, f64::max);
+        let size = cut_web.nodes[canopy.rim[0]].distance(cut_web.nodes[canopy.hub]);
+        if off > TOLERANCE * size {
+            return Err(off);
+        }
+        self.place(cut_web, turn, packed);
+        Ok(turn)
+    }
+
+    fn place(&self, cut_web: &CutWeb, turn: DMat3, packed: &mut [DVec3]) {
+        let hub = cut_web.web.canopies[self.canopy].hub;
+        let middle = packed[hub];
+        for &node in &self.nodes {
+            packed[node] = middle + turn * (cut_web.nodes[node] - cut_web.nodes[hub]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Bag, Cutting, Pattern, Scale, cut, space};
+
+    fn net() -> (CutWeb, Vec<StiffPlate>) {
+        let net = cut(&space(2.5, 0.14).unwrap(), &Cutting::SegmentLength(0.1)).unwrap();
+        let plates = net.web.canopies.iter().enumerate();
+        let plates = plates.map(|(canopy, c)| StiffPlate { canopy, nodes: c.rim.to_vec() }).collect();
+        (net, plates)
+    }
+
+    fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
+        net.segments()
+            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
+            .fold(-1.0, f64::max)
+    }
+
+    #[test]
+    fn plates_keep_their_shape_and_ropes_are_not_stretched_however_far_the_web_shrinks() {
+        let (net, plates) = net();
+        for pattern in [
+            Pattern::Scale(Scale { factor: 0.01 }),
+            Pattern::Scale(Scale { factor: 0.6 }),
+            Pattern::Scale(Scale { factor: 1.0 }),
+            Pattern::Bag(Bag { depth: Some(0.38), ..Bag::of_radius(0.24) }),
+            Pattern::Bag(Bag { depth: Some(1.0), ..Bag::of_radius(0.5) }),
+        ] {
+            let mut packed = pattern.pack(&net).unwrap();
+            StiffPlate::lay(&plates, &net, &mut packed);
+            for canopy in &net.web.canopies {
+                for k in 0..6 {
+                    let side = packed[canopy.rim[k]].distance(packed[canopy.rim[(k + 1) % 6]]);
+                    assert!((side - 0.14).abs() < 1e-12);
+                }
+            }
+            assert!(longest_stretch(&net, &packed) < 1e-12, "{pattern:?}: {}", longest_stretch(&net, &packed));
+        }
+    }
+
+    #[test]
+    fn a_bag_too_deep_for_plates_stretches_ropes() {
+        let (net, plates) = net();
+        let mut packed = Pattern::Bag(Bag { depth: Some(2.4), ..Bag::of_radius(0.24) }).pack(&net).unwrap();
+        StiffPlate::lay(&plates, &net, &mut packed);
+        assert!(longest_stretch(&net, &packed) > 0.01);
+    }
+
+    #[test]
+    fn a_plate_is_put_where_its_corners_are_and_a_bent_one_is_told() {
+        let (net, plates) = net();
+        let plate = StiffPlate { canopy: 4, nodes: net.web.canopies[4].rim.to_vec() };
+        let turned = DMat3::from_cols(DVec3::Z, DVec3::X, DVec3::Y);
+        let mut given: Vec<DVec3> = net.nodes.iter().map(|&node| turned * node + DVec3::ONE).collect();
+        let exact = given.clone();
+        let found = plate.fit(&net, &mut given).unwrap();
+        assert!((found - turned).abs_diff_eq(DMat3::ZERO, 1e-12));
+        assert!(exact.iter().zip(&given).all(|(one, other)| one.distance(*other) < 1e-12));
+
+        given[net.web.canopies[4].rim[2]] += 0.01 * DVec3::X;
+        let off = plates[4].fit(&net, &mut given).unwrap_err();
+        assert!(off > 0.005 && off < 0.02, "{off}");
+    }
+}
