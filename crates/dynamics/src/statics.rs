@@ -130,7 +130,7 @@ const LEAST_DAMPING: f64 = 1e-12;
 const STEPS_PER_WORD: u64 = 1000;
 
 /// Looks for the equilibrium of `system` that is reached from `state`, on at most `threads` threads; what comes out is
-/// the same for any number. Driven nodes stay where their paths begin, and what moves in `state` is held until then.
+/// the same for any number. Driven nodes stay where their paths begin, and what moves in `state` or has a launcher is held until then.
 /// `progress` says whether to go on.
 ///
 /// A part of the net that is [`unsupported`] falls for ever, and is given up after `max_iterations`.
@@ -141,9 +141,20 @@ pub fn relax(
     threads: usize,
     progress: &mut (dyn FnMut(Relaxing) -> bool + Send),
 ) -> Relaxed {
-    let slow = fictitious(system, &resting(system, state));
-    let mut state = at_rest(system, state);
+    let resting = Resting::of(system, state);
+    let slow = fictitious(system, &resting);
+    let (mut state, mut turned) = (at_rest(system, state), Vec::new());
+    // of the rotations only those that change
+    std::mem::swap(&mut state.rotation, &mut turned);
+    state.rotation = resting.turning.iter().map(|&body| turned[body]).collect();
     let mut net = Stepper::new(&slow, &state, STEP, threads);
+    let whole = |mut state: State| {
+        for (&body, rotation) in resting.turning.iter().zip(&state.rotation) {
+            turned[body] = *rotation;
+        }
+        state.rotation = turned;
+        state
+    };
     net.team().lead(|| {
         let mut iterations = 0;
         loop {
@@ -156,14 +167,14 @@ pub fn relax(
                 None
             };
             if stopped.is_some() || residual.relative() <= accuracy.tolerance {
-                return Relaxed { state, residual, iterations, stopped };
+                return Relaxed { state: whole(state), residual, iterations, stopped };
             }
             let mut energy = 0.0;
             // until kinetic energy has passed a maximum
             while iterations < accuracy.max_iterations {
                 if iterations.is_multiple_of(STEPS_PER_WORD) && !progress(Relaxing { iterations, residual }) {
                     let stopped = Some(StaticsError::Interrupted { iterations });
-                    return Relaxed { state, residual, iterations, stopped };
+                    return Relaxed { state: whole(state), residual, iterations, stopped };
                 }
                 let last = std::mem::replace(&mut energy, net.step().mass_power);
                 iterations += 1;
@@ -178,30 +189,44 @@ pub fn relax(
     })
 }
 
-/// Whether each node stays where it is: held, or thrown only later.
-fn resting(system: &System, state: &State) -> Vec<bool> {
-    let nodes = system.held().iter().zip(&state.velocity);
-    let mut resting: Vec<bool> = nodes.map(|(held, velocity)| *held || *velocity != DVec3::ZERO).collect();
-    system.launchers().iter().for_each(|launcher| resting[launcher.node] = true);
-    resting
+/// What stays as it is: held, or thrown only later.
+struct Resting {
+    /// Whether each node does, (nodes,).
+    held: Vec<bool>,
+    /// The bodies that do not: a body that is thrown keeps its attitude until then.
+    turning: Vec<usize>,
+}
+
+impl Resting {
+    fn of(system: &System, state: &State) -> Resting {
+        let mut thrown: Vec<bool> = state.velocity.iter().map(|velocity| *velocity != DVec3::ZERO).collect();
+        system.launchers().iter().for_each(|launcher| thrown[launcher.node] = true);
+        let mut held: Vec<bool> = system.held().iter().zip(&thrown).map(|(held, thrown)| *held || *thrown).collect();
+        let bodies = system.bodies();
+        for tie in bodies.iter().filter(|body| thrown[body.centre]).flat_map(|body| &body.ties) {
+            held[tie.node] = true;
+        }
+        Resting { held, turning: (0..bodies.len()).filter(|&body| !thrown[bodies[body].centre]).collect() }
+    }
 }
 
 /// Weights of all that is free to move, and the loads that act on it before a run in time begins.
-fn all_loads(system: &System, resting: &[bool]) -> Vec<Load> {
+fn all_loads(system: &System, resting: &Resting) -> Vec<Load> {
     let gravity = system.environment().gravity;
     let weights = system.mass().iter().enumerate().map(|(node, &mass)| Load { node, force: mass * gravity, ramp: 0.0 });
     let all = system.loads().iter().filter(|load| load.is_steady()).copied().chain(weights);
-    all.filter(|load| !resting[load.node] && load.force != DVec3::ZERO).collect()
+    all.filter(|load| !resting.held[load.node] && load.force != DVec3::ZERO).collect()
 }
 
 /// The same net with fictitious masses, and nothing that moves by itself.
-fn fictitious(system: &System, resting: &[bool]) -> System {
+fn fictitious(system: &System, resting: &Resting) -> System {
     let slow_to_turn = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
+    let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_to_turn(&system.bodies()[body])).collect();
     let mut unit_mass = vec![1.0; system.mass().len()];
-    system.bodies().iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
+    bodies.iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
     let mut parts = SystemParts {
         mass: unit_mass,
-        held: resting.to_vec(),
+        held: resting.held.clone(),
         tractor: system.tractor().to_vec(),
         segments: system.segments().iter().map(|s| slow_to_move(system, s)).collect(),
         laws: system.laws().iter().map(Law::lasting).collect(),
@@ -209,7 +234,7 @@ fn fictitious(system: &System, resting: &[bool]) -> System {
         membranes: system.membranes().to_vec(),
         hinges: system.hinges().to_vec(),
         loads: all_loads(system, resting),
-        bodies: system.bodies().iter().map(slow_to_turn).collect(),
+        bodies,
         drives: Vec::new(),
         launchers: Vec::new(),
         environment: Environment { gravity: DVec3::ZERO, mass_damping: LEAST_DAMPING },
@@ -250,8 +275,8 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
         body.ties.iter().for_each(|tie| parts.join(tie.node, body.centre));
     }
     let mut held = vec![false; nodes];
-    let resting = resting(system, state);
-    for node in (0..nodes).filter(|&node| resting[node]) {
+    let resting = Resting::of(system, state);
+    for node in (0..nodes).filter(|&node| resting.held[node]) {
         held[parts.of(node)] = true;
     }
     let loads = all_loads(system, &resting);
@@ -285,11 +310,17 @@ impl Parts {
     }
 }
 
-/// The start of a relaxation: what is driven is where its path begins, and nothing moves.
+/// The start of a relaxation: what is driven is where its path begins, ties are where their bodies are, and nothing
+/// moves.
 fn at_rest(system: &System, state: &State) -> State {
     let mut state = state.clone();
     for drive in system.drives() {
         state.position[drive.node] = drive.at(0.0);
+    }
+    for (body, rotation) in system.bodies().iter().zip(&state.rotation) {
+        for tie in &body.ties {
+            state.position[tie.node] = state.position[body.centre] + rotation.orientation * tie.arm;
+        }
     }
     stop(&mut state);
     state
@@ -326,6 +357,7 @@ mod tests {
     use super::*;
     use crate::body::{Rotation, Tie};
     use crate::drive::Drive;
+    use crate::launcher::{Launcher, Means};
     use glam::DQuat;
 
     const TIGHT: Accuracy = Accuracy { tolerance: 1e-10, max_iterations: 1_000_000 };
@@ -417,6 +449,22 @@ mod tests {
         let found = rest(parts, &state);
         assert_eq!((found.stopped, found.state.position[0]), (None, DVec3::ZERO));
         assert!((found.state.position[1].z + 1.0 + 40.0 / 600.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_body_in_its_launcher_keeps_its_attitude() {
+        // from a tie beside its middle hangs a weight: it would turn if it could
+        let ropes = vec![rope([1, 2], 1.0, 600.0)];
+        let (mut parts, mut state) = net(&[2.0, 0.0, 3.0], &[DVec3::Z, DVec3::ZERO, DVec3::ZERO], ropes);
+        parts.held[1] = false;
+        let tie = Tie { node: 1, arm: 0.5 * DVec3::X };
+        parts.bodies = vec![Body { centre: 0, inertia: DVec3::ONE, ties: vec![tie] }];
+        parts.launchers = vec![Launcher { node: 0, at: 1.0, by: Means::Velocity(DVec3::X) }];
+        let attitude = Rotation { orientation: DQuat::IDENTITY, angular_momentum: DVec3::ZERO };
+        state.rotation = vec![attitude];
+        let found = rest(parts, &state);
+        assert_eq!((found.stopped, &found.state.rotation[..]), (None, &[attitude][..]));
+        assert!((found.state.position[2] - DVec3::new(0.5, 0.0, -0.05)).length() < 1e-6);
     }
 
     #[test]
