@@ -24,7 +24,7 @@ traction_rope = { length = "1 m", count = 2 }
 tractor.particle.mass = "5 kg"
 stow.bag = { radius = "0.24 m", depth = "0.38 m" }
 launch = { axial_speed = "50 m/s", radial_speed = "50 m/s" }
-solve = { duration = "15 ms", segment_length = "0.2 m" }
+solve = { duration = "25 ms", segment_length = "0.2 m" }
 record.every = "1 ms"
 "#;
 
