@@ -245,7 +245,7 @@ impl Model {
                 "the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned(),
             );
         }
-        notes.extend(launched_and_held(&system, &state, &tractors));
+        notes.extend(launched_and_held(&system, &throws));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }
@@ -452,9 +452,9 @@ fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diag
 }
 
 /// Tractors that are thrown and stay put.
-fn launched_and_held(system: &System, state: &State, tractors: &[usize]) -> Option<String> {
-    let is_both = |&&tractor: &&usize| system.held()[tractor] && state.velocity[tractor] != DVec3::ZERO;
-    let (count, all) = (tractors.iter().filter(is_both).count(), tractors.len());
+fn launched_and_held(system: &System, throws: &[Option<Throw>]) -> Option<String> {
+    let is_both = |throw: &&Throw| system.held()[throw.node] && throw.by != Thrown::At(DVec3::ZERO);
+    let (count, all) = (throws.iter().flatten().filter(is_both).count(), throws.len());
     (count > 0).then(|| format!("{count} of {all} tractors are held by [hold] or [drive]: they are not launched"))
 }
 
