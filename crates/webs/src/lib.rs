@@ -19,7 +19,7 @@
 //! assert!((web.reference_area().unwrap() - 16.238).abs() < 1e-3);
 //!
 //! let cut_web = cut(&web, &Cutting::SegmentLength(0.1))?;
-//! let packed = Pattern::Bag(Bag::of_radius(0.25)).pack(&cut_web)?;
+//! let packed = Pattern::Bag(Bag::of_radius(0.25)).pack(&cut_web, None)?;
 //! assert_eq!(packed.len(), cut_web.nodes.len());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -58,7 +58,10 @@ pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut
 pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
-pub use packing::{Audit, Bag, Given, LongestStretch, PackingError, Pattern, Scale, StowedSegment, audit};
+pub use packing::{
+    Audit, Bag, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth, PackingError, Pattern, Scale,
+    StowedSegment, audit,
+};
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
 pub use sheet::{MOST_FINENESS, Sheet, hexagonal_sheet};
