@@ -12,11 +12,7 @@ const LATER: &[&str] = &[
     "load",
     "measured",
     "solve.static",
-    "stow.layers",
     "stow.prescribed",
-    "stow.roll",
-    "stow.star",
-    "stow.zigzag",
     "targets",
 ];
 

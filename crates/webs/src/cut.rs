@@ -160,7 +160,7 @@ impl CutWeb {
     }
 
     /// Which nodes are those of the web itself: not of its traction ropes, and no tractors at their ends.
-    pub(crate) fn is_web(&self) -> Vec<bool> {
+    pub fn is_web(&self) -> Vec<bool> {
         let mut is_web = vec![true; self.nodes.len()];
         for (tractor, ropes) in self.web.traction.iter().enumerate() {
             is_web[self.web.tractors[tractor]] = false;

@@ -93,7 +93,7 @@ mod tests {
             prop_assert!((length - 4.0 * side * (1.0 + excess)).abs() < 1e-9);
             prop_assert!(is_turned(&web, 4) && is_mirrored(&web));
             let net = cut(&web, &Cutting::SegmentLength(0.3)).unwrap();
-            let packed = Pattern::Bag(Bag::of_radius(0.2 * side)).pack(&net, None).unwrap();
+            let packed = Pattern::Bag(Bag::of_radius(0.2 * side)).pack(&net).unwrap();
             for segment in net.segments() {
                 prop_assert!(packed[segment.a].distance(packed[segment.b]) <= segment.rest_length * (1.0 + 1e-12));
             }

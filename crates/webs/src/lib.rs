@@ -19,7 +19,7 @@
 //! assert!((web.reference_area().unwrap() - 16.238).abs() < 1e-3);
 //!
 //! let cut_web = cut(&web, &Cutting::SegmentLength(0.1))?;
-//! let packed = Pattern::Bag(Bag::of_radius(0.25)).pack(&cut_web, None)?;
+//! let packed = Pattern::Bag(Bag::of_radius(0.25)).pack(&cut_web)?;
 //! assert_eq!(packed.len(), cut_web.nodes.len());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -59,8 +59,8 @@ pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{
-    Audit, Bag, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth, PackingError, Pattern, Scale,
-    StowedSegment, audit,
+    Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth,
+    PackingError, Pattern, Scale, Size, StowedSegment, audit, closeness,
 };
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};

@@ -6,6 +6,7 @@
 //! material    ropes, canopies and bodies as stiffness, damping and mass
 //! rope_law    laws of tension, and when a rope breaks
 //! stowing     where the nodes lie
+//! packing     how densely, and how near each other
 //! launch      how the tractors are thrown, as meant
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
@@ -21,6 +22,7 @@ mod canopy_links;
 mod drawing;
 mod launch;
 mod material;
+mod packing;
 mod release;
 mod rope_law;
 mod scatter;
@@ -29,6 +31,7 @@ mod stowing;
 
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
+pub use packing::Packing;
 pub use stowing::node_id;
 
 use glam::{DMat3, DVec3};

@@ -293,7 +293,7 @@ mod tests {
             let imperfection =
                 imperfection.map(|(scatter, twist, slack, seed)| Imperfection { scatter, twist, slack, seed });
             let pack = |container| {
-                Pattern::Folded(folded(FOLDINGS[folding], container, spacing)).pack(&net, imperfection.as_ref())
+                Pattern::Folded(folded(FOLDINGS[folding], container, spacing)).pack_imperfectly(&net, imperfection.as_ref())
             };
             let packed = match pack(container) {
                 Err(PackingError::Room { enough, .. }) => pack(enough.expect("some container does")),
@@ -311,7 +311,7 @@ mod tests {
             let container = Container::Cylinder { radius, height };
             let spacing = 0.004;
             let folding = FOLDINGS[folding];
-            let (packed, container) = match Pattern::Folded(folded(folding, container, spacing)).pack(&net, None) {
+            let (packed, container) = match folded(folding, container, spacing).pack(&net, None) {
                 Ok(packed) => (packed, container),
                 Err(PackingError::Room { enough: Some(enough), .. }) => {
                     (folded(folding, enough, spacing).pack(&net, None).unwrap(), enough)

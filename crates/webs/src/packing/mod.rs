@@ -6,6 +6,7 @@
 mod audit;
 mod bag;
 mod bend;
+mod closeness;
 mod container;
 mod folded;
 mod folds;
@@ -16,8 +17,9 @@ mod rings;
 mod scale;
 mod star;
 
-pub use audit::{Audit, LongestStretch, StowedSegment, audit};
+pub use audit::{Audit, LongestStretch, Size, StowedSegment, audit};
 pub use bag::Bag;
+pub use closeness::{Approach, Closeness, closeness};
 pub use container::Container;
 pub use folded::{Folded, Folding};
 pub use given::Given;
@@ -43,12 +45,24 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// Positions of all nodes of the packed web in the launch frame, m. An imperfection disturbs a web in a bag or a
-    /// container, and one that was scaled or given with its traction ropes and tractors.
+    /// Positions of all nodes of the packed web in the launch frame, m.
     ///
     /// # Errors
     /// [`PackingError`]: a size that cannot be, or one that would stretch a rope.
-    pub fn pack(&self, cut_web: &CutWeb, imperfection: Option<&Imperfection>) -> Result<Vec<DVec3>, PackingError> {
+    pub fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
+        self.pack_imperfectly(cut_web, None)
+    }
+
+    /// The same, disturbed: a web in a bag or a container, whose tractors stay in their places; one that was scaled or
+    /// given with its traction ropes and tractors.
+    ///
+    /// # Errors
+    /// As [`Pattern::pack`].
+    pub fn pack_imperfectly(
+        &self,
+        cut_web: &CutWeb,
+        imperfection: Option<&Imperfection>,
+    ) -> Result<Vec<DVec3>, PackingError> {
         let mut packed = match self {
             Pattern::Bag(bag) => return bag.pack(cut_web, imperfection),
             Pattern::Folded(folded) => return folded.pack(cut_web, imperfection),
