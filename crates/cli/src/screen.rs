@@ -87,6 +87,7 @@ pub fn packing(model: &Model) {
         ("closest approach", Some(closest)),
         ("nearer than a diameter", touching),
     ];
+    say!("How it is packed");
     let told = told.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?)));
     rows(&told.collect::<Vec<_>>());
 }
