@@ -18,11 +18,11 @@ const MARGIN: f64 = 16.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(env::args().nth(1).ok_or("name the folder of the pictures")?);
-    let web = polygon(6, 2.5, 0.5)?.with_traction(0.8, 1)?;
-    let net = cut(&web, &Cutting::SegmentLength(0.02))?;
+    let web = polygon(6, 2.5, 0.5)?.with_traction(1.0, 1)?;
+    let net = cut(&web, &Cutting::SegmentLength(0.05))?;
     let container = Container::Cylinder { radius: 0.3, height: 0.6 };
-    let mouth = Mouth { tractor_radius: None, tractor_gap: Some(0.15) };
-    let folded = |folding| Pattern::Folded(Folded { folding, container, spacing: 0.008, mouth });
+    let mouth = Mouth { tractor_radius: None, tractor_gap: None };
+    let folded = |folding| Pattern::Folded(Folded { folding, container, spacing: 0.005, mouth });
     let patterns = [
         ("bag", Pattern::Bag(Bag { radius: 0.3, depth: Some(0.6), mouth })),
         ("zigzag-rings", folded(Folding::Rings)),
