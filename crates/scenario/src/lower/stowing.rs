@@ -144,7 +144,9 @@ pub fn audit(
                 audit.stretched
             );
             let diagnostic: Diagnostic = document.diagnostic(path, message);
-            Err(diagnostic.with_help("pack it closer, or give the rope no pretension").into())
+            Err(diagnostic.with_help(
+                "pack it closer, or give the rope no pretension; a slack in [stow.imperfection] shrinks any packing",
+            ).into())
         }
         _ => Ok(audit),
     }
