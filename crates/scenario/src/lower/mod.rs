@@ -7,6 +7,7 @@
 //! rope_law    laws of tension, and when a rope breaks
 //! canopies    plates and sheets: their triangles, and what of them is rigid
 //! stowing     where the nodes lie
+//! packing     how densely, and how near each other
 //! launch      how the tractors are thrown, as meant
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
@@ -28,6 +29,7 @@ mod drives;
 mod launch;
 mod loads;
 mod material;
+mod packing;
 mod release;
 mod rope_law;
 mod scatter;
@@ -38,6 +40,7 @@ mod stowing;
 pub use canopies::CutSheet;
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
+pub use packing::Packing;
 pub use stowing::node_id;
 
 use glam::{DMat3, DQuat, DVec3};
@@ -245,7 +248,7 @@ impl Model {
                 "the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned(),
             );
         }
-        notes.extend(launched_and_held(&system, &state, &tractors));
+        notes.extend(launched_and_held(&system, &throws));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }
@@ -452,9 +455,9 @@ fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diag
 }
 
 /// Tractors that are thrown and stay put.
-fn launched_and_held(system: &System, state: &State, tractors: &[usize]) -> Option<String> {
-    let is_both = |&&tractor: &&usize| system.held()[tractor] && state.velocity[tractor] != DVec3::ZERO;
-    let (count, all) = (tractors.iter().filter(is_both).count(), tractors.len());
+fn launched_and_held(system: &System, throws: &[Option<Throw>]) -> Option<String> {
+    let is_both = |throw: &&Throw| system.held()[throw.node] && throw.by != Thrown::At(DVec3::ZERO);
+    let (count, all) = (throws.iter().flatten().filter(is_both).count(), throws.len());
     (count > 0).then(|| format!("{count} of {all} tractors are held by [hold] or [drive]: they are not launched"))
 }
 
