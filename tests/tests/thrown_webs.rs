@@ -3,7 +3,15 @@
 
 use netcast_tests::Run;
 
-const STOWED: [&str; 2] = ["stow={bag={radius=\"0.5 m\"}}", "stow={scale={factor=0.25}}"];
+const STOWED: [&str; 7] = [
+    "stow={bag={radius=\"0.5 m\"}}",
+    "stow={scale={factor=0.25}}",
+    "stow={zigzag={container={cylinder={radius=0.4,height=0.6}}},imperfection={scatter=\"5 mm\",twist=\"10 deg\"}}",
+    "stow={zigzag={along=\"lines\",container={box={width=0.6,breadth=0.6,height=0.6}}}}",
+    "stow={star={container={cylinder={radius=0.4,height=0.6}}}}",
+    "stow={roll={container={cylinder={radius=0.4,height=0.6}}}}",
+    "stow={layers={container={cylinder={radius=0.4,height=0.6}}}}",
+];
 
 /// Throws the starting scenario of a kind of web with the default tolerances of the energy, and looks at how it opened.
 #[track_caller]
@@ -14,7 +22,9 @@ fn assert_opens(kind: &str, of_the_web: &[&str]) {
         assert!(summary.finished && summary.energy.closure <= 0.003, "{kind}, {stow}: {}", summary.energy.closure);
         let (most, flat) = (summary.opening.area_max_m2.unwrap(), summary.opening.reference_area_m2.unwrap());
         println!("{kind}, {stow}: {:.3} of {flat} m^2, closure {:.2e}", most / flat, summary.energy.closure);
-        assert!(most > 0.8 * flat && most < 1.05 * flat, "{kind}, {stow}: opens to {most} of {flat} m^2");
+        // a fold has its tractors inside the pack where there are no traction ropes, and none is symmetric but the rings
+        let least = if stow.contains("bag") || stow.contains("scale") { 0.8 } else { 0.6 };
+        assert!(most > least * flat && most < 1.05 * flat, "{kind}, {stow}: opens to {most} of {flat} m^2");
         for (class, tension) in &summary.tension.by_class {
             assert!(tension.max_n > 0.0, "{kind}, {stow}: no {class} rope is ever pulled");
         }

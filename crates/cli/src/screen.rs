@@ -65,6 +65,33 @@ pub fn audit(model: &Model) {
     ]);
 }
 
+/// How densely the web is packed, and how near its ropes come to each other.
+pub fn packing(model: &Model) {
+    let packing = model.packing();
+    let density = packing
+        .density
+        .zip(packing.solid_fraction)
+        .map(|(density, solid)| format!("{} kg/m^3, {} % of it solid", number(density, 4), number(100.0 * solid, 3)));
+    let (closest, touching) = match packing.closeness {
+        None => ("not looked for: too many ropes lie near each other".to_owned(), None),
+        Some(found) => (
+            found.closest.map_or("all ropes are tied together".to_owned(), |closest| {
+                let labels = closest.segments.map(|segment| model.segment_label(segment)).join(" and ");
+                format!("{} m, {labels}", number(closest.distance, 3))
+            }),
+            Some(format!("{} pairs of segments, of ropes that share no knot", found.touching)),
+        ),
+    };
+    let told = [
+        ("density", density.or(Some("the web lies flat".to_owned()))),
+        ("closest approach", Some(closest)),
+        ("nearer than a diameter", touching),
+    ];
+    say!("How it is packed");
+    let told = told.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?)));
+    rows(&told.collect::<Vec<_>>());
+}
+
 /// What was chosen or changed for the user.
 pub fn notes(model: &Model) {
     for note in &model.notes {

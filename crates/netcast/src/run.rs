@@ -413,6 +413,8 @@ fn told(model: &Model, broken: &Break) -> summary::Break {
 /// The audit of the state at the start.
 fn stowed(model: &Model) -> summary::Stowed {
     let audit = &model.audit;
+    let packing = model.packing();
+    let closest = packing.closeness.and_then(|closeness| closeness.closest);
     summary::Stowed {
         longest_stretch: audit.longest.map(|longest| longest.stretch),
         longest_stretch_where: audit.longest.map(|longest| model.segment_label(longest.segment)),
@@ -420,6 +422,12 @@ fn stowed(model: &Model) -> summary::Stowed {
         stored_energy_j: audit.stored_energy,
         packed_radius_m: audit.packed_radius,
         packed_height_m: audit.packed_height,
+        density_kg_m3: packing.density,
+        solid_fraction: packing.solid_fraction,
+        closest_approach_m: closest.map(|closest| closest.distance),
+        closest_approach_where: closest.map(|closest| closest.segments.map(|s| model.segment_label(s)).join(" and ")),
+        closest_approach_at_m: closest.map(|closest| closest.place.to_array()),
+        nearer_than_a_diameter: packing.closeness.map(|closeness| closeness.touching),
     }
 }
 

@@ -182,6 +182,11 @@ pub(crate) fn stowed(summary: &Value) -> String {
             ("Stored energy", stowed["stored_energy_j"].as_f64().map(|energy| with_prefix(energy, "J"))),
             ("Packed radius", metres("packed_radius_m")),
             ("Packed height", metres("packed_height_m")),
+            ("Density of the web", stowed["density_kg_m3"].as_f64().map(|d| format!("{} kg/m³", significant(d)))),
+            ("of it solid", stowed["solid_fraction"].as_f64().map(percent)),
+            ("Closest approach of untied ropes", metres("closest_approach_m")),
+            ("between", stowed["closest_approach_where"].as_str().map(str::to_owned)),
+            ("Pairs nearer than a diameter", stowed["nearer_than_a_diameter"].as_u64().map(grouped)),
         ],
     )
 }

@@ -19,6 +19,7 @@ const TENSIONS: [f64; 4] = [1000.0, 0.0, 0.05, 1000.0];
 const LOWEST: [u8; 3] = [0x19, 0x57, 0xd2];
 const HIGHEST: [u8; 3] = [0xf6, 0x80, 0x01];
 const INK: [u8; 3] = [0x1c, 0x21, 0x26];
+const ACCENT: [u8; 3] = [0x0b, 0x5c, 0x8a];
 const WHITE: [u8; 3] = [255; 3];
 
 /// A square of four ropes, 2 m wide when flat, tractors of 0.2 m at its corners, its middle at the mean of them.
@@ -68,6 +69,7 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
         "opening": {"area_max_m2": 4.0, "area_max_time_s": 0.3, "effective_from_s": 0.265, "effective_to_s": 0.335},
         "points": {"tractor": {"peak_speed_m_s": 7.0, "peak_travel_time_s": 0.5}, "centre": {"starts_s": 0.08}},
         "posture": {"convex_from_s": 0.3},
+        "stowed": {"closest_approach_m": 0.5, "closest_approach_at_m": [0.3, -0.2, 0.0]},
         "tension": {"max_n": 1500.0, "max_time_s": 0.1234, "max_where": "outline"}
     });
     write_page_numbers(folder.path(), &summary);
@@ -173,6 +175,10 @@ fn a_known_net_lies_where_the_projection_says() {
     assert_eq!(at(0.0, 1.0), HIGHEST, "the rope from corner 0 to 1");
     assert_eq!(at(0.0, -1.0), LOWEST, "the rope from corner 2 to 3");
     assert_eq!(at(0.0, 1.05), WHITE);
+    // a ring of 6 px where ropes come nearest
+    let radius = 12.0 / px_per_m;
+    assert_eq!([at(0.3 + radius, -0.2), at(0.3, -0.2 - radius)], [ACCENT; 2]);
+    assert_eq!(at(0.3, -0.2), at(0.5, 0.5));
     // wholly open: the outline is shaded
     assert_ne!(at(0.5, 0.5), WHITE);
     // from the side the net is a line

@@ -242,6 +242,19 @@ pub struct Stowed {
     pub packed_radius_m: f64,
     /// From the lowest node to the highest along the launch axis, m.
     pub packed_height_m: f64,
+    /// Mass of the web over the volume of the smallest cylinder about the launch axis that holds it, kg/m³; tractors and
+    /// traction ropes are not counted.
+    pub density_kg_m3: Option<f64>,
+    /// Share of that cylinder that ropes, canopies and payloads fill.
+    pub solid_fraction: Option<f64>,
+    /// Least distance between centre lines of ropes that share no knot, m.
+    pub closest_approach_m: Option<f64>,
+    /// Which two segments come so near.
+    pub closest_approach_where: Option<String>,
+    /// Where, in the world, m.
+    pub closest_approach_at_m: Option<[f64; 3]>,
+    /// Pairs of segments of such ropes nearer than a diameter.
+    pub nearer_than_a_diameter: Option<usize>,
 }
 
 /// Extremes of one point over every step.

@@ -42,7 +42,7 @@ impl Check<'_> {
         if let Some(kind) = schema.get("x-dimension").and_then(Json::as_str).and_then(Kind::named) {
             self.quantity(node, kind, schema, path);
         } else if let Some(variants) = variants(schema) {
-            self.variant(node, &variants, path);
+            self.variant(node, &variants, schema, path);
         } else if let Some(choices) = choices(schema) {
             self.choice(node, &choices, path);
         } else {
@@ -73,7 +73,8 @@ impl Check<'_> {
         }
     }
 
-    fn variant(&mut self, node: &Node, variants: &[(&str, &Schema)], path: &Path) {
+    /// One of several tables, and keys that any of them can have beside it.
+    fn variant(&mut self, node: &Node, variants: &[(&str, &Schema)], schema: &Schema, path: &Path) {
         let tables: Vec<String> = variants.iter().map(|(name, _)| format!("[{}]", path.key(name))).collect();
         let expected = match tables.as_slice() {
             [only] => only.clone(),
@@ -83,22 +84,29 @@ impl Check<'_> {
             let message = format!("expected {expected}, found {}", node.value.describe());
             return self.at_value(path, message, None);
         };
+        let beside = schema.get("properties").and_then(Json::as_object);
+        let known = || variants.iter().map(|(name, _)| *name);
         let mut first: Option<&str> = None;
         let mut strangers = false;
         for entry in &table.0 {
             let here = path.key(&entry.key);
+            if let Some(content) = beside.and_then(|beside| beside.get(&entry.key)?.as_object()) {
+                self.value(&entry.node, content, &here);
+                continue;
+            }
             match (variants.iter().find(|(name, _)| *name == entry.key), first) {
                 (None, _) => {
                     strangers = true;
                     let help = match entry.node.value.as_text() {
                         Some(kind) if entry.key == "type" || entry.key == "kind" => {
-                            let kind = nearest(kind, variants.iter().map(|(name, _)| *name));
+                            let kind = nearest(kind, known());
                             let table = kind.map_or(expected.clone(), |kind| format!("[{}]", path.key(&kind)));
                             Some(format!("the name of a table chooses: write {table}"))
                         }
                         _ => None,
                     };
-                    self.unknown_key(&here, &entry.key, variants.iter().map(|(name, _)| *name).collect(), help);
+                    let beside = beside.into_iter().flat_map(|beside| beside.keys().map(String::as_str));
+                    self.unknown_key(&here, &entry.key, known().chain(beside).collect(), help);
                 }
                 (Some((name, schema)), None) => {
                     first = Some(name);
@@ -114,7 +122,8 @@ impl Check<'_> {
             }
         }
         if first.is_none() && !strangers {
-            self.at_value(path, format!("expected {expected}, found an empty table"), None);
+            let found = if table.0.is_empty() { "an empty table" } else { "none" };
+            self.at_value(path, format!("expected {expected}, found {found}"), None);
         }
     }
 

@@ -7,11 +7,7 @@ const LATER: &[&str] = &[
     "environment.orbit",
     "environment.wind",
     "measured",
-    "stow.layers",
     "stow.prescribed",
-    "stow.roll",
-    "stow.star",
-    "stow.zigzag",
     "targets",
 ];
 

@@ -12,14 +12,16 @@ use crate::cover::Cover;
 use crate::drive::Drive;
 use crate::environment::Environment;
 use crate::hold::Hold;
+use crate::interval::Positive;
 use crate::launch::Launch;
 use crate::load::Load;
 use crate::measure::Measure;
+use crate::quantity::Length;
 use crate::record::Record;
 use crate::rope::Rope;
 use crate::rope_law::RopeLaw;
 use crate::solve::Solve;
-use crate::stow::Stow;
+use crate::stow::{Stow, Stowage};
 use crate::tractor::{TractionRope, TractorOverride};
 use crate::web::Web;
 
@@ -55,7 +57,7 @@ pub struct Scenario {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tractors: Vec<TractorOverride>,
     /// How the web is packed. Left out: it starts as drawn.
-    pub stow: Option<Stow>,
+    pub stow: Option<Stowage>,
     /// How the tractors are thrown. Left out: nothing is launched.
     pub launch: Option<Launch>,
     /// What holds the web until it opens.
@@ -129,12 +131,20 @@ impl Scenario {
         if let Web::Graph(graph) = &mut self.web {
             files.extend([&mut graph.nodes, &mut graph.ropes]);
         }
-        if let Some(Stow::File(file)) = &mut self.stow {
+        if let Some(Stowage { pattern: Stow::File(file), .. }) = &mut self.stow {
             files.push(&mut file.path);
         }
         files.extend(self.launch.as_mut().and_then(Launch::file_mut));
         files.extend(self.drive.values_mut().filter_map(|drive| drive.file.as_mut()));
         files
+    }
+
+    /// Diameter of the thickest rope that is the default one or has links assigned to it, traction apart.
+    fn thickest_rope(&self) -> Length<Positive> {
+        let of_the_web = self.assign.iter().filter(|(links, _)| *links != "traction");
+        let ropes = of_the_web.filter_map(|(_, name)| self.ropes.get(name));
+        let diameters = ropes.map(|rope| rope.diameter);
+        diameters.fold(self.rope.diameter, |one, other| if other.si() > one.si() { other } else { one })
     }
 
     /// Writes out every default that depends on what else is given.
@@ -147,6 +157,10 @@ impl Scenario {
         }
         if let Some(canopy) = &mut self.canopy {
             canopy.complete();
+        }
+        let thickest = self.thickest_rope();
+        if let Some(stowage) = &mut self.stow {
+            stowage.pattern.complete(thickest);
         }
         for body in [&mut self.payload, &mut self.sensor].into_iter().flatten() {
             body.complete(&BodyDefaults::PAYLOAD);

@@ -1,14 +1,26 @@
 //! `[stow.PATTERN]`: how the web is packed before it is thrown.
 
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{NonNegative, Positive, UpToOne};
-use crate::quantity::{Length, Number};
+use crate::interval::{Fraction, NonNegative, Positive, UpToOne};
+use crate::quantity::{Angle, Length, Number};
 
-/// The packing: one table, named after its pattern. Left out: the web starts as drawn.
+/// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Stowage {
+    /// The pattern.
+    // places in the file come from the schema's check, not from serde
+    #[serde(flatten)]
+    pub pattern: Stow,
+    /// How the packed web differs from its pattern. Left out: it does not.
+    pub imperfection: Option<Imperfect>,
+}
+
+/// The packing: one table, named after its pattern.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Stow {
@@ -16,8 +28,42 @@ pub enum Stow {
     Scale(ScaleStow),
     /// Drawn in to a radius, the middle hanging below, the tractors on top.
     Bag(BagStow),
+    /// An accordion, its layers upright in a container.
+    Zigzag(ZigzagStow),
+    /// Radial folds wound round the middle.
+    Star(StarStow),
+    /// A band of upright layers, rolled up from its middle.
+    Roll(FoldStow),
+    /// Flat layers on one another.
+    Layers(FoldStow),
     /// Positions from a CSV file.
     File(FileStow),
+}
+
+impl Stow {
+    /// The table that it is written in.
+    pub fn table(&self) -> &'static str {
+        match self {
+            Self::Scale(_) => "stow.scale",
+            Self::Bag(_) => "stow.bag",
+            Self::Zigzag(_) => "stow.zigzag",
+            Self::Star(_) => "stow.star",
+            Self::Roll(_) => "stow.roll",
+            Self::Layers(_) => "stow.layers",
+            Self::File(_) => "stow.file",
+        }
+    }
+
+    /// Writes out the default of the distance between layers: the diameter of the thickest rope.
+    pub(crate) fn complete(&mut self, thickest: Length<Positive>) {
+        let spacing = match self {
+            Self::Zigzag(zigzag) => &mut zigzag.spacing,
+            Self::Star(star) => &mut star.spacing,
+            Self::Roll(fold) | Self::Layers(fold) => &mut fold.spacing,
+            Self::Scale(_) | Self::Bag(_) | Self::File(_) => return,
+        };
+        spacing.get_or_insert(thickest);
+    }
 }
 
 /// `[stow.scale]`
@@ -40,6 +86,117 @@ pub struct BagStow {
     pub tractor_radius: Option<Length<Positive>>,
     /// How far the tractors stand above the outline, m. Left out: as far as their ropes allow.
     pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+/// The room that a web is packed into, its mouth towards the launch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Container {
+    /// A tube about the launch axis.
+    Cylinder(CylinderRoom),
+    /// A box about the launch axis.
+    Box(BoxRoom),
+}
+
+/// A tube's inner sizes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderRoom {
+    /// Radius, m.
+    pub radius: Length<Positive>,
+    /// Height along the launch axis, m.
+    pub height: Length<Positive>,
+}
+
+/// A box's inner sizes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxRoom {
+    /// Size along x of the flat web, m.
+    pub width: Length<Positive>,
+    /// Size along y of the flat web, m.
+    pub breadth: Length<Positive>,
+    /// Height along the launch axis, m.
+    pub height: Length<Positive>,
+}
+
+/// What the folds of an accordion follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Along {
+    /// Rings about the middle: walls one inside the other, the middle on the floor.
+    #[default]
+    Rings,
+    /// Parallel lines, folded once more across.
+    Lines,
+}
+
+/// `[stow.zigzag]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ZigzagStow {
+    /// What the folds follow. Default: rings.
+    #[serde(default)]
+    pub along: Along,
+    /// The room that the web is folded into, ropes and all.
+    pub container: Container,
+    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    pub spacing: Option<Length<Positive>>,
+    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    pub tractor_radius: Option<Length<Positive>>,
+    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+/// `[stow.star]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StarStow {
+    /// How many arms. Left out: as many as corners, or 6 where there are fewer than 3.
+    pub arms: Option<NonZeroU32>,
+    /// The room that the web is folded into, ropes and all.
+    pub container: Container,
+    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    pub spacing: Option<Length<Positive>>,
+    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    pub tractor_radius: Option<Length<Positive>>,
+    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+/// `[stow.roll]` and `[stow.layers]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FoldStow {
+    /// The room that the web is folded into, ropes and all.
+    pub container: Container,
+    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    pub spacing: Option<Length<Positive>>,
+    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    pub tractor_radius: Option<Length<Positive>>,
+    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+/// `[stow.imperfection]`: drawn from a seed, the same on every machine; it stretches no rope.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Imperfect {
+    /// Standard deviation of each node's place along each of the two directions normal to the launch axis, m; ropes that
+    /// would be stretched by it shorten the way.
+    pub scatter: Length<NonNegative>,
+    /// Turn of the lowest node about the launch axis against the highest, rad; the web shrinks by what it would stretch.
+    pub twist: Angle,
+    /// By how much the web is shrunk beforehand, so that ropes have room to move.
+    pub slack: Number<Fraction>,
+    /// What the scatter is drawn from.
+    pub seed: u32,
+}
+
+impl Default for Imperfect {
+    fn default() -> Self {
+        Self { scatter: Length::constant(0.0), twist: Angle::constant(0.0), slack: Number::constant(0.02), seed: 0 }
+    }
 }
 
 /// `[stow.file]`

@@ -6,7 +6,7 @@ use common::{CONTRACT, parse};
 use netcast_scenario::body::{Shape, Solid};
 use netcast_scenario::canopy::Canopy;
 use netcast_scenario::rope::Damping;
-use netcast_scenario::stow::Stow;
+use netcast_scenario::stow::{Stow, Stowage};
 use netcast_scenario::web::Web;
 
 #[test]
@@ -31,7 +31,7 @@ fn it_means_what_it_says() {
     assert_eq!((diameter_m, height_m), (0.1, 0.2));
     assert!((mass_kg - 27.80).abs() < 0.005);
     assert!((scenario.payload_solid().unwrap().mass_kg - 0.506).abs() < 0.0005);
-    let Some(Stow::Bag(bag)) = &scenario.stow else { panic!() };
+    let Some(Stowage { pattern: Stow::Bag(bag), .. }) = &scenario.stow else { panic!() };
     assert_eq!((bag.radius.si(), bag.depth, bag.tractor_radius), (0.25, None, None));
     let launch = scenario.tractor_launch(6).unwrap();
     assert_eq!((launch.axial_speed.si(), launch.radial_speed.si()), (50.0, 50.0));
@@ -70,7 +70,7 @@ fn an_override_changes_the_scenario() {
     let scenario = parse(CONTRACT, &overrides).unwrap().scenario;
     assert_eq!(scenario.launch.unwrap().axial_speed.si(), 60.0);
     assert_eq!(scenario.solve.duration.unwrap().si(), 0.3);
-    assert!(matches!(scenario.stow, Some(Stow::Scale(scale)) if scale.factor.si() == 0.2));
+    assert!(matches!(scenario.stow.unwrap().pattern, Stow::Scale(scale) if scale.factor.si() == 0.2));
 }
 
 #[test]

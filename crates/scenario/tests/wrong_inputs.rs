@@ -128,7 +128,10 @@ fn variants_are_chosen_by_a_table() {
             "[stow.bag]               # also: scale, zigzag, star, roll, layers, prescribed, file\nradius = \"0.25 m\"",
             "[stow]"
         )
-        .ends_with("stow: expected one of [stow.scale], [stow.bag], [stow.file], found an empty table")
+        .ends_with(
+            "stow: expected one of [stow.scale], [stow.bag], [stow.zigzag], [stow.star], [stow.roll], [stow.layers], \
+             [stow.file], found an empty table"
+        )
     );
     let two = with("[stow.bag]", "[stow.scale]\nfactor = 0.5\n[stow.bag]");
     let found = wrong(&two, &[]);
@@ -146,7 +149,7 @@ fn what_comes_later_is_said_to_come_later() {
     for (from, to, path) in [
         ("[record]", "[environment.air]\n[record]", "environment.air"),
         ("[record]", "[targets.sphere]\n[record]", "targets"),
-        ("[stow.bag]", "[stow.star]", "stow.star"),
+        ("[stow.bag]", "[stow.prescribed]", "stow.prescribed"),
     ] {
         let message = slip(from, to);
         assert!(message.ends_with(&format!("`{path}` is not available in this version yet")), "{message}");

@@ -167,6 +167,18 @@ impl CutWeb {
         })
     }
 
+    /// Which nodes are those of the web itself: not of its traction ropes, and no tractors at their ends.
+    pub fn is_web(&self) -> Vec<bool> {
+        let mut is_web = vec![true; self.nodes.len()];
+        for (tractor, ropes) in self.web.traction.iter().enumerate() {
+            is_web[self.web.tractors[tractor]] = false;
+            for &rope in ropes {
+                is_web[self.ropes[rope].interior()].fill(false);
+            }
+        }
+        is_web
+    }
+
     /// Number of segments.
     pub fn segment_count(&self) -> usize {
         self.ropes.iter().map(|rope| rope.segments).sum()

@@ -58,7 +58,10 @@ pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut
 pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
-pub use packing::{Audit, Bag, Given, LongestStretch, PackingError, Pattern, Scale, StiffPlate, StowedSegment, audit};
+pub use packing::{
+    Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth,
+    PackingError, Pattern, Scale, Size, StiffPlate, StowedSegment, audit, closeness,
+};
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
 pub use sheet::{MOST_FINENESS, Sheet, hexagonal_sheet};

@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 28] = [
+pub const SCENARIOS: [(&str, &str); 33] = [
     (
         "space web, everything on board",
         r#"
@@ -517,6 +517,72 @@ launch.radial_speed = "30 m/s"
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
 solve = { duration = "2 ms", segment_length = "0.2 m" }
 record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "square net in walls, disturbed",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.zigzag = { along = "rings", spacing = "5 mm", tractor_radius = "0.2 m", tractor_gap = "0.1 m", container.cylinder = { radius = "0.2 m", height = "0.4 m" } }
+stow.imperfection = { scatter = "4 mm", twist = "20 deg", slack = "3 %", seed = 7 }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "square net folded along lines into a box",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.zigzag = { along = "lines", container.box = { width = "0.4 m", breadth = "0.3 m", height = "0.4 m" } }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "octagon wound to a star",
+        r#"
+web.polygon = { sides = 8, side = "0.8 m", mesh = "0.3 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.star = { arms = 4, spacing = "3 mm", tractor_radius = "0.25 m", tractor_gap = "0.1 m", container.cylinder = { radius = "0.3 m", height = "0.3 m" } }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.3 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "square net rolled up",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.roll = { spacing = "4 mm", tractor_radius = "0.2 m", tractor_gap = "0.1 m", container.cylinder = { radius = "0.15 m", height = "0.4 m" } }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "square net in layers",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.layers = { spacing = "4 mm", tractor_radius = "0.2 m", tractor_gap = "0.05 m", container.cylinder = { radius = "0.3 m", height = "0.3 m" } }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
 "#,
     ),
 ];

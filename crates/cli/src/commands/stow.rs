@@ -10,9 +10,10 @@ use netcast::scenario::lower::node_id;
 use super::ScenarioArguments;
 use crate::Ended;
 use crate::complaint::Complaint;
-use crate::screen::{audit, notes, say};
+use crate::screen::{audit, notes, packing, say};
 
-/// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size
+/// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size,
+/// density, how near ropes come to each other
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -33,6 +34,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     let model = Model::new(&arguments.scenario.read()?)?;
     notes(&model);
     audit(&model);
+    packing(&model);
     if let Some(path) = &arguments.write {
         let to_launch_frame = model.frame.transpose();
         let nodes =

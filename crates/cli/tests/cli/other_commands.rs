@@ -53,7 +53,14 @@ fn a_stowed_web_can_be_written_changed_and_run() {
     let workbench = Workbench::with_net();
     let bag = ["--set", "stow={bag={radius=\"0.2 m\"}}"];
     let said = workbench.succeed(&[&["stow", "net.toml", "--write", "stowed.csv"][..], &bag].concat()).stdout;
-    for audit in ["longest stretch", "stored energy    0 J", "packed size      radius 0.2000 m"] {
+    for audit in [
+        "longest stretch",
+        "stored energy    0 J",
+        "packed size      radius 0.2000 m",
+        "kg/m^3",
+        "closest approach",
+        "nearer than a diameter",
+    ] {
         assert!(said.contains(audit), "{audit}: {said}");
     }
     let rows = workbench.read("stowed.csv");

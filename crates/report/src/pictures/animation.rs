@@ -131,6 +131,7 @@ impl<'a> Film<'a> {
             camera: self.camera,
             px_per_m: self.px_per_m,
             size: picture_size(),
+            mark: None,
             labelling: Labelling::Steady,
         };
         picture.draw(frame, centre, &mut svg);

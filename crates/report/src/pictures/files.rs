@@ -36,7 +36,7 @@ pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let sheets = [
         ("postures", sheets::postures(&results, scene).svg(title)),
         ("clouds", sheets::clouds(&results, scene).svg(title)),
-        ("stowed", sheets::stowed(scene).svg(title)),
+        ("stowed", sheets::stowed(&results, scene).svg(title)),
     ];
     let figures = figures(&results);
     let curves = figures.iter().map(|figure| (format!("curve_{}", figure.id), curves::svg(figure)));

@@ -3,7 +3,7 @@
 //! Ropes are drawn in their bins of tension, the slack ones first and the hardest pulled on top. Bodies have their true
 //! size and attitude, or are dots of the least size that can be seen. The outline is shaded while the web counts as open.
 
-use glam::{DVec2, IVec2};
+use glam::{DVec2, DVec3, IVec2};
 use netcast_results::{BodyKind, BodyMark, CanopyMark};
 
 use super::body_outline::outline;
@@ -30,6 +30,9 @@ const LEAST_RADIUS: (f64, f64) = (3.0, 1.4);
 /// Radius of the mark of a feature point, px.
 const POINT_RADIUS: f64 = 2.0;
 
+/// Radius of the ring round a marked place, px.
+const MARK_RADIUS: f64 = 6.0;
+
 /// How a net is drawn; a frame makes a picture of it.
 pub(crate) struct NetPicture<'a> {
     pub scene: &'a Scene,
@@ -39,6 +42,8 @@ pub(crate) struct NetPicture<'a> {
     pub px_per_m: f64,
     /// Width and height, px.
     pub size: DVec2,
+    /// A place with a ring round it, m.
+    pub mark: Option<DVec3>,
     pub labelling: Labelling,
 }
 
@@ -67,6 +72,9 @@ impl NetPicture<'_> {
         let mut labels = Labels::new(self.size, self.labelling);
         self.draw_bodies(frame, &points, &mut labels, svg);
         self.draw_points(mean, &mut labels, svg);
+        if let Some(mark) = self.mark {
+            labels.circle("mark", place(mark), MARK_RADIUS, svg);
+        }
         svg.push_str(&labels.svg);
         self.draw_scale_bar(svg);
     }

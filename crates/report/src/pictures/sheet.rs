@@ -1,6 +1,6 @@
 //! A sheet of pictures: one camera's scale, one colour scale, a caption each; for the page or as a file of its own.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::camera::{Camera, View};
 use super::colour::{BINS, TensionScale};
@@ -31,6 +31,8 @@ pub(crate) struct Sheet<'a> {
     pub scale: TensionScale,
     /// Whether the key to the colours is shown.
     pub has_key: bool,
+    /// A place with a ring round it, m.
+    pub mark: Option<DVec3>,
     /// What there is to know about all of them.
     pub notes: Vec<String>,
 }
@@ -135,6 +137,7 @@ impl Sheet<'_> {
             camera,
             px_per_m,
             size,
+            mark: self.mark,
             labelling: Labelling::Apart,
         };
         picture.draw(cell.frame, 0.5 * (least + most), svg);

@@ -1,5 +1,7 @@
 //! The three sheets of a result: postures at eight moments, tensions at six, the stowed state from two sides.
 
+use glam::DVec3;
+
 use super::camera::{Camera, View};
 use super::colour::TensionScale;
 use super::moments::{self, Moment, highest_tension};
@@ -29,6 +31,7 @@ pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         class: "postures",
         scale: scale(scene, &moments),
         has_key: true,
+        mark: None,
         notes: [THREE_QUARTER].into_iter().chain(has_outline.then_some(shaded)).map(str::to_owned).collect(),
     }
 }
@@ -46,12 +49,14 @@ pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         class: "wide clouds",
         scale: scale(scene, &moments),
         has_key: true,
+        mark: None,
         notes: [THREE_QUARTER.to_owned()].into_iter().chain(missed_peak(results, scene)).collect(),
     }
 }
 
 /// The state at the start, from two sides.
-pub(crate) fn stowed(scene: &Scene) -> Sheet<'_> {
+pub(crate) fn stowed<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
+    let closest = closest_approach(results);
     let cell = |view: View, name: &str, across: &str, along: &str| {
         let (least, most) = extent(scene, 0, &Camera::new(view, scene.landmarks.axis));
         let size = most - least;
@@ -69,7 +74,11 @@ pub(crate) fn stowed(scene: &Scene) -> Sheet<'_> {
         class: "wide pair stowed",
         scale: TensionScale::up_to(highest_tension(scene, 0)),
         has_key: highest_tension(scene, 0) > 0.0,
-        notes: vec!["Both to one scale. Sizes are those of all that is stowed, tractors and payloads with it.".into()],
+        mark: closest.as_ref().map(|(place, _)| *place),
+        notes: ["Both to one scale. Sizes are those of all that is stowed, tractors and payloads with it.".to_owned()]
+            .into_iter()
+            .chain(closest.map(|(_, note)| note))
+            .collect(),
     }
 }
 
@@ -85,7 +94,20 @@ pub(crate) fn clouds_html(results: &Results) -> String {
 
 /// The stowed state as figures of the page; empty where the result has no fields.
 pub(crate) fn stowed_html(results: &Results) -> String {
-    results.scene.as_ref().map(|scene| stowed(scene).html()).unwrap_or_default()
+    results.scene.as_ref().map(|scene| stowed(results, scene).html()).unwrap_or_default()
+}
+
+/// Where ropes that are not tied together come nearest, m, and a note that says so.
+fn closest_approach(results: &Results) -> Option<(DVec3, String)> {
+    let stowed = &results.summary["stowed"];
+    let place = stowed["closest_approach_at_m"].as_array()?;
+    let [x, y, z] = [0, 1, 2].map(|axis| place.get(axis).and_then(|at| at.as_f64()));
+    let distance = stowed["closest_approach_m"].as_f64()?;
+    let note = format!(
+        "The ring marks where ropes that are not tied together come nearest: {} between their centre lines.",
+        with_prefix(distance, "m")
+    );
+    Some((DVec3::new(x?, y?, z?), note))
 }
 
 fn cell<const N: usize>(moment: &Moment, facts: [Option<String>; N]) -> Cell {

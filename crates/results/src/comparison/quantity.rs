@@ -61,7 +61,7 @@ const OTHERS: usize = 9;
 /// Quantities by path, `*` for any key, which stands in the label for `{}`: what they are called, what is wanted of
 /// them, and whether a designer looks for them first.
 #[rustfmt::skip]
-const NAMED: [(&str, &str, Option<Better>, bool); 75] = [
+const NAMED: [(&str, &str, Option<Better>, bool); 80] = [
     ("opening.area_max_time_s", "Opens fully at", Some(Lower), true),
     ("opening.area_max_m2", "Largest area inside the outline", Some(Higher), true),
     ("opening.reference_area_m2", "Area of the flat web", None, false),
@@ -128,6 +128,11 @@ const NAMED: [(&str, &str, Option<Better>, bool); 75] = [
     ("stowed.longest_stretch_where", "Largest strain when packed, in", None, false),
     ("stowed.packed_radius_m", "Packed radius", Some(Lower), false),
     ("stowed.packed_height_m", "Packed height", Some(Lower), false),
+    ("stowed.density_kg_m3", "Packed density", Some(Higher), false),
+    ("stowed.solid_fraction", "Solid share when packed", Some(Higher), false),
+    ("stowed.closest_approach_m", "Closest approach when packed", Some(Higher), false),
+    ("stowed.closest_approach_where", "Closest approach when packed, of", None, false),
+    ("stowed.nearer_than_a_diameter", "Pairs nearer than a diameter when packed", Some(Lower), false),
     ("energy.initial_j", "Total energy at the start", None, false),
     ("energy.final_j", "Total energy at the end", None, false),
     ("energy.closure", "Energy balance closes to", None, false),
@@ -140,7 +145,8 @@ const NAMED: [(&str, &str, Option<Better>, bool); 75] = [
 ];
 
 /// Units by the end of a key; the longest that fits counts.
-const UNITS: [(&str, &str); 10] = [
+const UNITS: [(&str, &str); 11] = [
+    ("_kg_m3", "kg/m^3"),
     ("_m_s2", "m/s^2"),
     ("_m_s", "m/s"),
     ("_m2", "m^2"),

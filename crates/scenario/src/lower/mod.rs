@@ -7,6 +7,7 @@
 //! rope_law    laws of tension, and when a rope breaks
 //! canopies    plates and sheets: their triangles, and what of them is rigid
 //! stowing     where the nodes lie
+//! packing     how densely, and how near each other
 //! launch      how the tractors are thrown, as meant
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
@@ -28,6 +29,7 @@ mod drives;
 mod launch;
 mod loads;
 mod material;
+mod packing;
 mod release;
 mod rope_law;
 mod scatter;
@@ -38,6 +40,7 @@ mod stowing;
 pub use canopies::CutSheet;
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
+pub use packing::Packing;
 pub use stowing::node_id;
 
 use glam::{DMat3, DQuat, DVec3};

@@ -5,7 +5,8 @@ use netcast_dynamics::forces::element::Element;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::membrane::Membrane;
 use netcast_webs::{
-    Audit, Bag, CutWeb, Given, PackingError, Pattern, Scale, StiffPlate, StowedSegment, audit as look_over,
+    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, PackingError, Pattern, Scale,
+    StiffPlate, StowedSegment, audit as look_over,
 };
 
 use super::canopies::{Canopies, CutSheet};
@@ -14,9 +15,11 @@ use crate::canopy::Canopy;
 use crate::csv_files::StowRow;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
+use crate::interval::Positive;
 use crate::nearest::nearest;
+use crate::quantity::Length;
 use crate::scenario::Scenario;
-use crate::stow::Stow;
+use crate::stow::{Along, Container as Room, Stow};
 
 /// Where everything is at launch, in the launch frame.
 #[derive(Debug, Clone)]
@@ -35,30 +38,55 @@ pub fn stow(
     canopies: &Canopies,
 ) -> Result<Stowed, Diagnostics> {
     let mut turns = vec![DMat3::IDENTITY; cut.web.canopies.len()];
-    let pattern = match &scenario.stow {
-        None => return Ok(Stowed { positions: cut.nodes.clone(), turns }),
-        Some(Stow::Scale(scale)) => Pattern::Scale(Scale { factor: scale.factor.si() }),
-        Some(Stow::Bag(bag)) => Pattern::Bag(Bag {
+    let Some(stowage) = &scenario.stow else { return Ok(Stowed { positions: cut.nodes.clone(), turns }) };
+    let pattern = match &stowage.pattern {
+        Stow::Scale(scale) => Pattern::Scale(Scale { factor: scale.factor.si() }),
+        Stow::Bag(bag) => Pattern::Bag(Bag {
             radius: bag.radius.si(),
             depth: bag.depth.map(|d| d.si()),
-            tractor_radius: bag.tractor_radius.map(|r| r.si()),
-            tractor_gap: bag.tractor_gap.map(|g| g.si()),
+            mouth: mouth(bag.tractor_radius, bag.tractor_gap),
         }),
-        Some(Stow::File(_)) => {
+        Stow::File(_) => {
             let rows = document.stowed.as_ref().expect("a document with a stow file has read it");
             Pattern::Given(Given { positions: given(document, cut, rows)? })
         }
+        Stow::Zigzag(zigzag) => {
+            let folding = match zigzag.along {
+                Along::Rings => Folding::Rings,
+                Along::Lines => Folding::Lines,
+            };
+            let mouth = mouth(zigzag.tractor_radius, zigzag.tractor_gap);
+            folded(folding, &zigzag.container, zigzag.spacing, mouth)
+        }
+        Stow::Star(star) => {
+            let folding = Folding::Star { arms: star.arms.map(|arms| arms.get()) };
+            folded(folding, &star.container, star.spacing, mouth(star.tractor_radius, star.tractor_gap))
+        }
+        Stow::Roll(roll) => {
+            folded(Folding::Roll, &roll.container, roll.spacing, mouth(roll.tractor_radius, roll.tractor_gap))
+        }
+        Stow::Layers(layers) => {
+            let mouth = mouth(layers.tractor_radius, layers.tractor_gap);
+            folded(Folding::Layers, &layers.container, layers.spacing, mouth)
+        }
     };
-    let packed = pattern.pack(cut).map_err(|error| {
-        let path = match (&pattern, &error) {
-            (Pattern::Scale(_), _) => "stow.scale.factor",
-            (Pattern::Given(_), _) => "stow.file.path",
-            (Pattern::Bag(_), PackingError::Depth { .. }) => "stow.bag.depth",
-            (Pattern::Bag(_), PackingError::TractorOutOfReach { .. }) => "stow.bag.tractor_radius",
-            (Pattern::Bag(_), PackingError::Gap { .. }) => "stow.bag.tractor_gap",
-            (Pattern::Bag(_), _) => "stow.bag.radius",
+    let imperfection = stowage.imperfection.as_ref().map(|imperfect| Imperfection {
+        scatter: imperfect.scatter.si(),
+        twist: imperfect.twist.si(),
+        slack: imperfect.slack.si(),
+        seed: imperfect.seed.into(),
+    });
+    let packed = pattern.pack_imperfectly(cut, imperfection.as_ref()).map_err(|error| {
+        let key = match (&pattern, &error) {
+            (Pattern::Scale(_), _) => "factor",
+            (Pattern::Given(_), _) => "path",
+            (Pattern::Bag(_), PackingError::Depth { .. }) => "depth",
+            (_, PackingError::TractorOutOfReach { .. }) => "tractor_radius",
+            (_, PackingError::Gap { .. }) => "tractor_gap",
+            (Pattern::Bag(_), _) => "radius",
+            (Pattern::Folded(_), _) => "container",
         };
-        document.diagnostic(path, error.to_string())
+        document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
     })?;
     let mut positions = packed;
     let Pattern::Given(given) = &pattern else {
@@ -84,6 +112,22 @@ pub fn stow(
     }
     Diagnostics::fail_if_any(found)?;
     Ok(Stowed { positions, turns })
+}
+
+fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mouth: Mouth) -> Pattern {
+    let container = match room {
+        Room::Cylinder(tube) => Container::Cylinder { radius: tube.radius.si(), height: tube.height.si() },
+        Room::Box(sizes) => {
+            let [width, breadth, height] = [sizes.width, sizes.breadth, sizes.height].map(|size| size.si());
+            Container::Box { width, breadth, height }
+        }
+    };
+    let spacing = spacing.expect("a complete scenario has it").si();
+    Pattern::Folded(Folded { folding, container, spacing, mouth })
+}
+
+fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
+    Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
 }
 
 /// The rows of a stow file by node. Ids are those of knots, or a node's label, as `netcast stow --write` gives them.
@@ -150,11 +194,7 @@ pub fn audit(
     });
     let audit = look_over(positions, segments);
     let Some(stow) = &document.scenario.stow else { return Ok(audit) };
-    let path = match stow {
-        Stow::Scale(_) => "stow.scale",
-        Stow::Bag(_) => "stow.bag",
-        Stow::File(_) => "stow.file",
-    };
+    let path = stow.pattern.table();
     stretched_cloth(document, path, cut, canopies, positions)?;
     let shortened = members.iter().filter(|m| groups[m.segment.class].law == Law::Strut).find_map(|member| {
         let share = -member.segment.stretch(positions) / member.segment.rest_length;
@@ -174,7 +214,9 @@ pub fn audit(
                 audit.stretched
             );
             let diagnostic: Diagnostic = document.diagnostic(path, message);
-            Err(diagnostic.with_help("pack it closer, or give the rope no pretension").into())
+            Err(diagnostic.with_help(
+                "pack it closer, or give the rope no pretension; a slack in [stow.imperfection] shrinks any packing",
+            ).into())
         }
         _ => Ok(audit),
     }

@@ -1,6 +1,8 @@
 //! The audit of a stowed web: whether anything is stretched, what energy that stores, and how much room the web
 //! takes.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 /// A tension member between two nodes, whether rope or canopy fabric.
@@ -23,6 +25,32 @@ pub struct LongestStretch {
     pub segment: usize,
     /// Its stowed length over its rest length, less 1: positive where stretched, negative where slack.
     pub stretch: f64,
+}
+
+/// The smallest cylinder about the launch axis that holds some nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Size {
+    /// Largest distance of a node from the launch axis, m.
+    pub radius: f64,
+    /// Distance along the launch axis from the lowest node to the highest, m.
+    pub height: f64,
+}
+
+impl Size {
+    /// That of nodes at these positions in the launch frame, m; 0 where there are none.
+    pub fn of(positions: impl Iterator<Item = DVec3>) -> Size {
+        let (mut radius, mut least, mut most) = (0.0_f64, f64::INFINITY, f64::NEG_INFINITY);
+        for position in positions {
+            radius = radius.max(position.truncate().length());
+            (least, most) = (least.min(position.z), most.max(position.z));
+        }
+        Size { radius, height: (most - least).max(0.0) }
+    }
+
+    /// Its volume, m^3.
+    pub fn volume(&self) -> f64 {
+        PI * self.radius * self.radius * self.height
+    }
 }
 
 /// What a stowed web is like.
@@ -63,10 +91,7 @@ pub fn audit(positions: &[DVec3], segments: impl IntoIterator<Item = StowedSegme
         stretched += usize::from(stretch > Audit::TOLERANCE);
         stored_energy += 0.5 * stiffness * extension.max(0.0) * extension.max(0.0);
     }
-    let packed_radius = positions.iter().map(|position| position.truncate().length()).fold(0.0, f64::max);
-    let highest = positions.iter().map(|position| position.z).fold(f64::NEG_INFINITY, f64::max);
-    let lowest = positions.iter().map(|position| position.z).fold(f64::INFINITY, f64::min);
-    let packed_height = if positions.is_empty() { 0.0 } else { highest - lowest };
+    let Size { radius: packed_radius, height: packed_height } = Size::of(positions.iter().copied());
     Audit { longest, stretched, stored_energy, packed_radius, packed_height }
 }
 

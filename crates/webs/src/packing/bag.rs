@@ -5,20 +5,16 @@
 //! ```
 //! with r, theta polar about the web's middle in its plane and r_max the web's radius. Of two points dr apart
 //! radially and ds apart in all, the images are sqrt(a^2 ds^2 + (depth dr / r_max)^2) apart, and dr <= ds: so no rope
-//! is stretched where radius^2 + depth^2 <= r_max^2. Nodes of traction ropes lie evenly on the line from corner to
-//! tractor.
+//! is stretched where radius^2 + depth^2 <= r_max^2.
 
 use glam::DVec3;
 
-use super::PackingError;
-use crate::{CutWeb, Rope, Web};
+use super::mouth::{Mouth, ROUNDING, size};
+use super::{Imperfection, PackingError};
+use crate::{CutWeb, Web};
 
-/// Share of the largest possible value that a bag's depth, or of its traction ropes' length that the gap, takes where
-/// none is stated: slack enough to lie in a bag, and far from stretched.
+/// Share of the largest possible depth that a bag takes where none is stated: slack enough to lie in a bag.
 const DEFAULT_SHARE: f64 = 0.6;
-
-/// What rounding may add to a size at its limit, relative.
-const ROUNDING: f64 = 1e-12;
 
 /// The web in a bag; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,38 +23,28 @@ pub struct Bag {
     pub radius: f64,
     /// How far the middle hangs below the rim; 0.6 of the largest possible where none is stated.
     pub depth: Option<f64>,
-    /// Radius of the circle that the tractors stand on, each in the direction of its corner; the bag's own where none
-    /// is stated.
-    pub tractor_radius: Option<f64>,
-    /// How far the rim lies below the tractors; 0.6 of the traction ropes' length where none is stated, or less where
-    /// they would be stretched. Without traction ropes the tractors are the corners: the gap then only sets the bag
-    /// back from the muzzle, by 0 where none is stated.
-    pub tractor_gap: Option<f64>,
+    /// Where the tractors stand.
+    pub mouth: Mouth,
 }
 
 impl Bag {
     /// The bag of this radius, m, with its other sizes by default.
     pub fn of_radius(radius: f64) -> Bag {
-        Bag { radius, depth: None, tractor_radius: None, tractor_gap: None }
+        Bag { radius, depth: None, mouth: Mouth::default() }
     }
 
-    pub(super) fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
+    pub(super) fn pack(
+        &self,
+        cut_web: &CutWeb,
+        imperfection: Option<&Imperfection>,
+    ) -> Result<Vec<DVec3>, PackingError> {
         let web = &cut_web.web;
         let shape = self.shape(web)?;
-        let gap = self.gap(web, &shape)?;
-        let mut packed: Vec<DVec3> =
-            cut_web.nodes.iter().map(|&node| shape.place(node - web.middle) - DVec3::Z * gap).collect();
-        for (tractor, ropes) in web.traction.iter().enumerate() {
-            let knot = web.tractors[tractor];
-            packed[knot] = self.tractor_place(web, tractor);
-            for &rope in ropes {
-                let Rope { a, b, .. } = web.ropes[rope];
-                let (corner, end) = (packed[a], packed[b]);
-                for (node, place) in cut_web.ropes[rope].interior().zip(1..) {
-                    packed[node] = corner + (end - corner) * (f64::from(place) / cut_web.ropes[rope].segments as f64);
-                }
-            }
+        let mut packed: Vec<DVec3> = cut_web.nodes.iter().map(|&node| shape.place(node - web.middle)).collect();
+        if let Some(imperfection) = imperfection {
+            imperfection.disturb(cut_web, &cut_web.is_web(), &mut packed);
         }
+        self.mouth.close(cut_web, &mut packed, self.radius)?;
         Ok(packed)
     }
 
@@ -75,42 +61,6 @@ impl Bag {
         }
         Ok(Shape { radius: self.radius, depth, reach })
     }
-
-    /// How far the rim lies below the muzzle.
-    fn gap(&self, web: &Web, shape: &Shape) -> Result<f64, PackingError> {
-        size("tractors' radius", self.tractor_radius.unwrap_or(self.radius))?;
-        let stated = self.tractor_gap.map(|gap| size("tractor gap", gap)).transpose()?;
-        let mut default = f64::INFINITY;
-        for (tractor, ropes) in web.traction.iter().enumerate() {
-            // the corner as it lies with no gap, and how far down the rope still reaches from its tractor
-            let corner = shape.place(web.knots[web.corners[tractor]].position - web.middle);
-            let place = self.tractor_place(web, tractor);
-            let aside = corner.truncate().distance(place.truncate());
-            for &rope in ropes {
-                let length = web.rest_length(&web.ropes[rope]);
-                let limit = (length * length - aside * aside).max(0.0).sqrt() + corner.z;
-                if aside > length || limit < 0.0 {
-                    let tractor = web.knots[web.tractors[tractor]].label.clone();
-                    return Err(PackingError::TractorOutOfReach { tractor, distance: corner.distance(place), length });
-                }
-                if let Some(gap) = stated.filter(|&gap| gap > limit * (1.0 + ROUNDING)) {
-                    return Err(PackingError::Gap { gap, limit, rope: web.ropes[rope].label.clone() });
-                }
-                default = default.min(limit).min(DEFAULT_SHARE * length);
-            }
-        }
-        Ok(stated.unwrap_or(if web.traction.is_empty() { 0.0 } else { default }))
-    }
-
-    /// A tractor's place in the muzzle's plane, in the direction of its corner.
-    fn tractor_place(&self, web: &Web, tractor: usize) -> DVec3 {
-        let corner = web.knots[web.corners[tractor]].position - web.middle;
-        corner.with_z(0.0).normalize_or_zero() * self.tractor_radius.unwrap_or(self.radius)
-    }
-}
-
-fn size(what: &'static str, value: f64) -> Result<f64, PackingError> {
-    if value >= 0.0 && value.is_finite() { Ok(value) } else { Err(PackingError::Size { what, value }) }
 }
 
 /// The bag's shape with its rim in the plane z = 0.
@@ -150,8 +100,9 @@ mod tests {
     #[test]
     fn rim_middle_and_tractors_lie_where_the_bag_says() {
         let net = paper_web();
-        let bag = Bag { radius: 0.25, depth: Some(1.0), tractor_radius: Some(0.4), tractor_gap: Some(0.5) };
-        let packed = bag.pack(&net).unwrap();
+        let bag =
+            Bag { radius: 0.25, depth: Some(1.0), mouth: Mouth { tractor_radius: Some(0.4), tractor_gap: Some(0.5) } };
+        let packed = bag.pack(&net, None).unwrap();
         let corner = packed[net.web.corners[1]];
         assert!(corner.distance(DVec3::new(0.0, 0.25, -0.5)) < 1e-12);
         assert!(packed[net.web.centre[0]].distance(DVec3::new(0.0, 0.0, -1.5)) < 1e-12);
@@ -167,7 +118,7 @@ mod tests {
     #[test]
     fn default_sizes_leave_six_tenths() {
         let net = paper_web();
-        let packed = Bag::of_radius(0.25).pack(&net).unwrap();
+        let packed = Bag::of_radius(0.25).pack(&net, None).unwrap();
         assert!((packed[net.web.corners[0]].z + 0.6 * 1.0355).abs() < 1e-12);
         let depth = 0.6 * (2.5_f64 * 2.5 - 0.25 * 0.25).sqrt();
         assert!((packed[net.web.centre[0]].z + 0.6 * 1.0355 + depth).abs() < 1e-12);
@@ -178,7 +129,7 @@ mod tests {
     fn a_radial_rope_is_just_not_stretched_at_the_largest_depth_and_beyond_it_the_depth_is_refused() {
         let net = cut(&traditional(2.5, 6).unwrap(), &Cutting::SegmentLength(0.1)).unwrap();
         // 1.5, 2 and 2.5: the largest depth is 2 m
-        let bag = |depth| Bag { depth: Some(depth), ..Bag::of_radius(1.5) }.pack(&net);
+        let bag = |depth| Bag { depth: Some(depth), ..Bag::of_radius(1.5) }.pack(&net, None);
         let longest = longest_stretch(&net, &bag(2.0).unwrap());
         assert!(longest.abs() < 1e-12, "{longest}");
         match bag(2.001) {
@@ -190,22 +141,25 @@ mod tests {
     #[test]
     fn the_largest_gap_is_the_one_at_which_the_traction_ropes_are_straight_and_full() {
         let net = paper_web();
-        let bag = |gap| Bag { tractor_radius: Some(0.75), tractor_gap: Some(gap), ..Bag::of_radius(0.25) }.pack(&net);
+        let bag = |gap| {
+            Bag { mouth: Mouth { tractor_radius: Some(0.75), tractor_gap: Some(gap) }, ..Bag::of_radius(0.25) }
+                .pack(&net, None)
+        };
         let largest = (1.0355_f64 * 1.0355 - 0.25).sqrt();
         assert!(longest_stretch(&net, &bag(largest).unwrap()).abs() < 1e-12);
         match bag(largest + 0.01) {
             Err(PackingError::Gap { limit, .. }) => assert!((limit - largest).abs() < 1e-12),
             other => panic!("{other:?}"),
         }
-        let wide = Bag { tractor_radius: Some(1.5), ..Bag::of_radius(0.25) };
-        assert!(matches!(wide.pack(&net), Err(PackingError::TractorOutOfReach { .. })));
+        let wide = Bag { mouth: Mouth { tractor_radius: Some(1.5), tractor_gap: None }, ..Bag::of_radius(0.25) };
+        assert!(matches!(wide.pack(&net, None), Err(PackingError::TractorOutOfReach { .. })));
     }
 
     #[test]
     fn without_traction_ropes_tractors_ride_on_the_corners() {
         let web = square(2.0, 0.5).unwrap().with_traction(0.0, 1).unwrap();
         let net = cut(&web, &Cutting::SegmentLength(0.25)).unwrap();
-        let packed = Bag::of_radius(0.2).pack(&net).unwrap();
+        let packed = Bag::of_radius(0.2).pack(&net, None).unwrap();
         for &tractor in &net.web.tractors {
             assert!(packed[tractor].z.abs() < 1e-12);
             assert!((packed[tractor].length() - 0.2).abs() < 1e-12);
@@ -217,15 +171,15 @@ mod tests {
         let net = paper_web();
         let bag = Bag::of_radius(0.25);
         for radius in [0.0, -1.0, 2.6, f64::NAN] {
-            assert!(matches!(Bag::of_radius(radius).pack(&net), Err(PackingError::Radius { .. })));
+            assert!(matches!(Bag::of_radius(radius).pack(&net, None), Err(PackingError::Radius { .. })));
         }
         let sizes = [
             Bag { depth: Some(-1.0), ..bag },
-            Bag { tractor_radius: Some(f64::NAN), ..bag },
-            Bag { tractor_gap: Some(-0.1), ..bag },
+            Bag { mouth: Mouth { tractor_radius: Some(f64::NAN), tractor_gap: None }, ..bag },
+            Bag { mouth: Mouth { tractor_radius: None, tractor_gap: Some(-0.1) }, ..bag },
         ];
         for bag in sizes {
-            assert!(matches!(bag.pack(&net), Err(PackingError::Size { .. })));
+            assert!(matches!(bag.pack(&net, None), Err(PackingError::Size { .. })));
         }
     }
 
@@ -252,8 +206,8 @@ mod tests {
             let radius = radius_share * web.radius();
             let depth = depth_share * (web.radius().powi(2) - radius * radius).sqrt();
             let tractor_radius = Some(radius + (2.0 * tractor_share - 1.0) * radius.min(1.1));
-            let bag = Bag { radius, depth: Some(depth), tractor_radius, tractor_gap: None };
-            let packed = bag.pack(&net).unwrap();
+            let bag = Bag { radius, depth: Some(depth), mouth: Mouth { tractor_radius, tractor_gap: None } };
+            let packed = bag.pack(&net, None).unwrap();
             prop_assert!(longest_stretch(&net, &packed) < 1e-12);
         }
     }

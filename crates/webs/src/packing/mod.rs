@@ -5,13 +5,27 @@
 
 mod audit;
 mod bag;
+mod bend;
+mod closeness;
+mod container;
+mod folded;
+mod folds;
 mod given;
+mod imperfection;
+mod mouth;
 mod plate;
+mod rings;
 mod scale;
+mod star;
 
-pub use audit::{Audit, LongestStretch, StowedSegment, audit};
+pub use audit::{Audit, LongestStretch, Size, StowedSegment, audit};
 pub use bag::Bag;
+pub use closeness::{Approach, Closeness, closeness};
+pub use container::Container;
+pub use folded::{Folded, Folding};
 pub use given::Given;
+pub use imperfection::Imperfection;
+pub use mouth::Mouth;
 pub use plate::StiffPlate;
 pub use scale::Scale;
 
@@ -26,6 +40,8 @@ pub enum Pattern {
     Scale(Scale),
     /// The web drawn in to a bag, its middle hanging below, its tractors on top.
     Bag(Bag),
+    /// The web folded into a container.
+    Folded(Folded),
     /// Where the user says.
     Given(Given),
 }
@@ -36,11 +52,29 @@ impl Pattern {
     /// # Errors
     /// [`PackingError`]: a size that cannot be, or one that would stretch a rope.
     pub fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
-        match self {
-            Pattern::Scale(scale) => scale.pack(cut_web),
-            Pattern::Bag(bag) => bag.pack(cut_web),
-            Pattern::Given(given) => given.pack(cut_web),
+        self.pack_imperfectly(cut_web, None)
+    }
+
+    /// The same, disturbed: a web in a bag or a container, whose tractors stay in their places; one that was scaled or
+    /// given with its traction ropes and tractors.
+    ///
+    /// # Errors
+    /// As [`Pattern::pack`].
+    pub fn pack_imperfectly(
+        &self,
+        cut_web: &CutWeb,
+        imperfection: Option<&Imperfection>,
+    ) -> Result<Vec<DVec3>, PackingError> {
+        let mut packed = match self {
+            Pattern::Bag(bag) => return bag.pack(cut_web, imperfection),
+            Pattern::Folded(folded) => return folded.pack(cut_web, imperfection),
+            Pattern::Scale(scale) => scale.pack(cut_web)?,
+            Pattern::Given(given) => given.pack(cut_web)?,
+        };
+        if let Some(imperfection) = imperfection {
+            imperfection.disturb(cut_web, &vec![true; packed.len()], &mut packed);
         }
+        Ok(packed)
     }
 }
 
@@ -50,8 +84,8 @@ pub enum PackingError {
     /// The factor of a scaled web is out of its range.
     #[error("the factor must be more than 0 and at most 1, not {0}")]
     Factor(f64),
-    /// A size of the bag is negative or not a number.
-    #[error("the bag's {what} must be a length of 0 m or more, not {value} m")]
+    /// A size is negative or not a number.
+    #[error("the {what} must be a length of 0 m or more, not {value} m")]
     Size {
         /// Which size.
         what: &'static str,
@@ -77,7 +111,7 @@ pub enum PackingError {
     /// A traction rope does not reach from its corner out to its tractor, whatever the gap.
     #[error(
         "{tractor} would stand {distance:.4} m from its corner, farther than its traction rope of {length} m reaches; \
-         bring the tractors' radius nearer to the bag's or make the bag less deep"
+         bring the tractors' radius nearer to the packed web's, or make that less deep"
     )]
     TractorOutOfReach {
         /// The tractor's label.
@@ -96,6 +130,20 @@ pub enum PackingError {
         limit: f64,
         /// Label of the traction rope.
         rope: String,
+    },
+    /// The web does not fit its container.
+    #[error(
+        "the web does not fit {container}; {}",
+        match enough {
+            Some(enough) => format!("packed so, it fits {enough}, the smallest of these proportions"),
+            None => "none of these proportions takes it, however large".to_owned(),
+        }
+    )]
+    Room {
+        /// The container given.
+        container: Container,
+        /// The smallest of its proportions that does.
+        enough: Option<Container>,
     },
     /// There are more or fewer positions than nodes.
     #[error("{given} positions were given for {nodes} nodes")]

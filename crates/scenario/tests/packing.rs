@@ -1,0 +1,101 @@
+//! Webs folded into containers, as a scenario says it: every pattern, what is wrong with one, imperfection.
+
+mod common;
+
+use common::parse;
+use netcast_scenario::lower::Model;
+
+const NET: &str = "
+[web.square]
+side = \"2 m\"
+mesh = \"0.5 m\"
+[rope]
+diameter = \"3 mm\"
+density = 970
+elastic_modulus = \"5 GPa\"
+[ropes.thick]
+diameter = \"8 mm\"
+density = 970
+elastic_modulus = \"5 GPa\"
+[traction_rope]
+length = \"0.6 m\"
+[tractor.particle]
+mass = \"0.5 kg\"
+[solve]
+duration = \"0.1 s\"
+segment_length = \"0.25 m\"
+";
+
+fn model(stow: &str) -> Result<Model, String> {
+    let document = parse(&format!("{NET}{stow}"), &[]).map_err(|wrong| wrong.to_string())?;
+    Model::new(&document).map_err(|wrong| wrong.to_string())
+}
+
+fn told(stow: &str) -> String {
+    model(stow).map(|_| ()).expect_err(stow)
+}
+
+#[test]
+fn every_pattern_packs_a_net_without_stretch_into_its_container() {
+    let tube = "container.cylinder = { radius = \"0.25 m\", height = \"0.5 m\" }";
+    let box_ = "container.box = { width = \"0.5 m\", breadth = \"0.4 m\", height = \"0.5 m\" }";
+    for pattern in ["zigzag", "star", "roll", "layers"] {
+        for container in [tube, box_] {
+            for rest in ["", "\nspacing = \"5 mm\"\n[stow.imperfection]\nscatter = \"3 mm\"\ntwist = \"15 deg\""] {
+                let stow = format!("[stow.{pattern}]\n{container}{rest}");
+                let model = model(&stow).unwrap_or_else(|wrong| panic!("{stow}: {wrong}"));
+                assert!(model.audit.is_slack(), "{stow}");
+                let packing = model.packing();
+                assert!(packing.density.unwrap() > 0.0 && packing.solid_fraction.unwrap() < 1.0, "{stow}");
+                assert!(packing.closeness.unwrap().closest.is_some(), "{stow}");
+            }
+        }
+    }
+}
+
+#[test]
+fn layers_lie_a_rope_apart_and_traction_ropes_do_not_count() {
+    let spacing = |rest: &str| {
+        let text = format!("{NET}[stow.layers.container.cylinder]\nradius = 1\nheight = 1\n{rest}");
+        let document = parse(&text, &[]).unwrap();
+        let netcast_scenario::stow::Stow::Layers(layers) = document.scenario.stow.unwrap().pattern else { panic!() };
+        layers.spacing.unwrap().si()
+    };
+    assert_eq!(spacing(""), 0.003);
+    assert_eq!(spacing("[assign]\ntraction = \"thick\""), 0.003);
+    assert_eq!(spacing("[assign]\noutline = \"thick\""), 0.008);
+}
+
+#[test]
+fn what_cannot_be_packed_so_is_told_at_its_place() {
+    let tube = |radius: &str, rest: &str| {
+        format!("[stow.roll]\ncontainer.cylinder = {{ radius = \"{radius}\", height = \"0.2 m\" }}\n{rest}")
+    };
+    let found = told(&tube("20 mm", ""));
+    assert!(found.contains("stow.roll.container: the web does not fit a cylinder of radius 0.02 m"), "{found}");
+    assert!(found.contains("packed so, it fits a cylinder of radius 0."), "{found}");
+    let found = told(&tube("0.2 m", "tractor_gap = \"2 m\""));
+    assert!(found.contains("stow.roll.tractor_gap: tractors 2 m above the web would stretch"), "{found}");
+    let found = told(&tube("0.2 m", "tractor_radius = \"2 m\""));
+    assert!(found.contains("stow.roll.tractor_radius: tractor 1 would stand"), "{found}");
+    let found = told("[stow.roll]\nspacing = \"5 mm\"");
+    assert!(found.contains("stow.roll.container: missing key `container`"), "{found}");
+    assert!(found.contains("[stow.roll.container.cylinder], [stow.roll.container.box]"), "{found}");
+    let found = told(&format!("{}[stow.imperfection]\nscater = \"5 mm\"", tube("0.2 m", "")));
+    assert!(found.contains("stow.imperfection.scater: unknown key `scater`"), "{found}");
+    assert!(found.contains("did you mean `scatter`?"), "{found}");
+    let found = told("[stow.imperfection]\nscatter = \"5 mm\"");
+    assert!(found.contains("stow: expected one of [stow.scale], ") && found.contains("found none"), "{found}");
+    let found = told("[stow.zigzg]\nfactor = 1");
+    assert!(found.contains("did you mean `zigzag`?"), "{found}");
+}
+
+#[test]
+fn a_seed_is_one_packing_and_another_seed_another() {
+    let at = |seed: u32| {
+        let stow = format!("[stow.bag]\nradius = \"0.2 m\"\n[stow.imperfection]\nscatter = \"5 mm\"\nseed = {seed}");
+        model(&stow).unwrap().state.position
+    };
+    assert_eq!(at(3), at(3));
+    assert_ne!(at(3), at(4));
+}

@@ -1,0 +1,106 @@
+//! The room that a web is packed into.
+
+use std::f64::consts::SQRT_2;
+use std::fmt;
+
+use glam::DVec3;
+
+/// A room about the launch axis, its mouth at the top. Sizes are inner ones, in m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Container {
+    /// A tube.
+    Cylinder {
+        /// Its radius.
+        radius: f64,
+        /// Its height along the launch axis.
+        height: f64,
+    },
+    /// A box.
+    Box {
+        /// Its size along x.
+        width: f64,
+        /// Its size along y.
+        breadth: f64,
+        /// Its height along the launch axis.
+        height: f64,
+    },
+}
+
+impl Container {
+    /// Its height, m.
+    pub fn height(&self) -> f64 {
+        let (Container::Cylinder { height, .. } | Container::Box { height, .. }) = *self;
+        height
+    }
+
+    /// Radius of the largest circle about the axis in its cross-section, m.
+    pub fn radius(&self) -> f64 {
+        match *self {
+            Container::Cylinder { radius, .. } => radius,
+            Container::Box { width, breadth, .. } => 0.5 * width.min(breadth),
+        }
+    }
+
+    /// Width and breadth of a rectangle in its cross-section, m: the largest square in a cylinder's.
+    pub(super) fn rectangle(&self) -> [f64; 2] {
+        match *self {
+            Container::Cylinder { radius, .. } => [SQRT_2 * radius; 2],
+            Container::Box { width, breadth, .. } => [width, breadth],
+        }
+    }
+
+    /// Whether points lie in it when its mouth is moved along the axis to the highest of them. Rounding is forgiven.
+    pub(super) fn holds(&self, points: impl Iterator<Item = DVec3>) -> bool {
+        let room = 1.0 + 1e-9;
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for point in points {
+            let is_within = match *self {
+                Container::Cylinder { radius, .. } => point.truncate().length() <= radius * room,
+                Container::Box { width, breadth, .. } => {
+                    point.x.abs() <= 0.5 * width * room && point.y.abs() <= 0.5 * breadth * room
+                }
+            };
+            if !is_within {
+                return false;
+            }
+            (lowest, highest) = (lowest.min(point.z), highest.max(point.z));
+        }
+        highest - lowest <= self.height() * room
+    }
+
+    /// The sizes changed by `change`.
+    pub(super) fn with_sizes(&self, change: impl Fn(f64) -> f64) -> Container {
+        match *self {
+            Container::Cylinder { radius, height } => {
+                Container::Cylinder { radius: change(radius), height: change(height) }
+            }
+            Container::Box { width, breadth, height } => {
+                Container::Box { width: change(width), breadth: change(breadth), height: change(height) }
+            }
+        }
+    }
+
+    /// The room that is left for the centre lines of ropes `thickness` thick, m.
+    pub(super) fn for_centre_lines(&self, thickness: f64) -> Container {
+        match *self {
+            Container::Cylinder { radius, height } => Container::Cylinder {
+                radius: (radius - 0.5 * thickness).max(0.0),
+                height: (height - thickness).max(0.0),
+            },
+            Container::Box { .. } => self.with_sizes(|size| (size - thickness).max(0.0)),
+        }
+    }
+}
+
+impl fmt::Display for Container {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Container::Cylinder { radius, height } => {
+                write!(formatter, "a cylinder of radius {radius} m and height {height} m")
+            }
+            Container::Box { width, breadth, height } => {
+                write!(formatter, "a box of width {width} m, breadth {breadth} m and height {height} m")
+            }
+        }
+    }
+}

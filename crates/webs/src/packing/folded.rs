@@ -1,0 +1,328 @@
+//! A web folded into a container: by which pattern, into what room, how far apart its layers lie.
+//!
+//! Every pattern is a map of the plane that moves no two points apart, so that whatever is drawn in the plane, rope or
+//! cloth, is stretched nowhere (`bend.rs`, `rings.rs` and `star.rs` say why). A web that is not flat is first projected
+//! on its plane, which moves no points apart either.
+
+use glam::{DVec2, DVec3};
+
+use super::folds::{self, Legs};
+use super::mouth::Mouth;
+use super::star::{self, Arms};
+use super::{Container, Imperfection, PackingError, rings};
+use crate::{CutWeb, Web};
+
+/// How a web is folded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Folding {
+    /// An accordion along rings: the middle on the floor, the rest in walls about it that go up and down.
+    Rings,
+    /// An accordion along parallel lines, folded once more across: every layer upright.
+    Lines,
+    /// Flat layers on one another: a stack of strips, folded once more across.
+    Layers,
+    /// A band of upright layers, rolled up from its middle.
+    Roll,
+    /// Radial folds wound round the middle.
+    Star {
+        /// Number of arms; where none is stated, that of the corners, or 6 where there are fewer than 3.
+        arms: Option<u32>,
+    },
+}
+
+/// The web folded into a container.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Folded {
+    /// How.
+    pub folding: Folding,
+    /// The room it is to fit.
+    pub container: Container,
+    /// Distance between the centre lines of neighbouring layers, m: the thickness of what lies in them.
+    pub spacing: f64,
+    /// Where the tractors stand.
+    pub mouth: Mouth,
+}
+
+/// A map of the flat web, relative to its middle, into a container.
+type Map = Box<dyn Fn(DVec2) -> DVec3>;
+
+impl Folded {
+    pub(super) fn pack(
+        &self,
+        cut_web: &CutWeb,
+        imperfection: Option<&Imperfection>,
+    ) -> Result<Vec<DVec3>, PackingError> {
+        let flat = Flat::of(cut_web);
+        let Some(mut packed) = self.within(&flat, &self.container) else {
+            return Err(PackingError::Room { container: self.container, enough: self.enough(&flat) });
+        };
+        if let Some(imperfection) = imperfection {
+            imperfection.disturb(cut_web, &flat.is_web, &mut packed);
+        }
+        self.mouth.close(cut_web, &mut packed, self.container.radius())?;
+        Ok(packed)
+    }
+
+    /// The web in this container, its top at z = 0; none where it does not fit.
+    fn within(&self, flat: &Flat, container: &Container) -> Option<Vec<DVec3>> {
+        let room = container.for_centre_lines(self.spacing);
+        let map = self.map(flat, &room);
+        let mut packed: Vec<DVec3> = flat.nodes.iter().map(|&node| map(node)).collect();
+        let of_the_web = || flat.is_web.iter().zip(&packed).filter(|(is_web, _)| **is_web).map(|(_, &place)| place);
+        let least = of_the_web().fold(DVec3::INFINITY, DVec3::min);
+        let most = of_the_web().fold(DVec3::NEG_INFINITY, DVec3::max);
+        // rings and star lie about the axis, folds begin anywhere
+        let aside = match self.folding {
+            Folding::Rings | Folding::Star { .. } => DVec3::ZERO,
+            Folding::Lines | Folding::Layers | Folding::Roll => 0.5 * (least + most),
+        };
+        packed.iter_mut().for_each(|place| *place -= aside.with_z(most.z));
+        let web = flat.is_web.iter().zip(&packed).filter(|(is_web, _)| **is_web).map(|(_, &place)| place);
+        room.holds(web).then_some(packed)
+    }
+
+    fn map(&self, flat: &Flat, room: &Container) -> Map {
+        let legs = match self.folding {
+            Folding::Rings => return Box::new(rings::fold(flat.radius, room, self.spacing)),
+            Folding::Star { arms } => return Box::new(star::fold(flat.radius, flat.arms(arms), room, self.spacing)),
+            Folding::Lines => Legs::Upright,
+            Folding::Layers => Legs::Flat,
+            Folding::Roll => Legs::Rolled,
+        };
+        Box::new(folds::fold(legs, flat.extent, room, self.spacing))
+    }
+
+    /// The smallest container of these proportions that does, in steps of 1 %, its sizes rounded up to three digits;
+    /// none where none up to a thousand times as large does.
+    fn enough(&self, flat: &Flat) -> Option<Container> {
+        // whole numbers of layers: a larger container may fail where a smaller one does
+        let factors = std::iter::successors(Some(1.01), |factor| Some(1.01 * factor));
+        let containers = factors.map(|factor| self.container.with_sizes(|size| round_up(size * factor)));
+        containers.take(700).find(|container| self.within(flat, container).is_some())
+    }
+}
+
+/// The least number of three digits that is no smaller.
+fn round_up(value: f64) -> f64 {
+    let digit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
+    (value / digit).ceil() * digit
+}
+
+/// The flat web, as the patterns see it.
+struct Flat<'a> {
+    web: &'a Web,
+    /// Every node relative to the middle, m.
+    nodes: Vec<DVec2>,
+    /// Whether it is one of the web itself, not of a traction rope and no tractor on one.
+    is_web: Vec<bool>,
+    /// Least and largest coordinates of the web's nodes, m.
+    extent: [DVec2; 2],
+    /// The web's radius, m.
+    radius: f64,
+}
+
+impl Flat<'_> {
+    fn of(cut_web: &CutWeb) -> Flat<'_> {
+        let web = &cut_web.web;
+        let nodes: Vec<DVec2> = cut_web.nodes.iter().map(|&node| (node - web.middle).truncate()).collect();
+        let is_web = cut_web.is_web();
+        let of_the_web = || nodes.iter().zip(&is_web).filter(|(_, is_web)| **is_web).map(|(&node, _)| node);
+        let least = of_the_web().fold(DVec2::INFINITY, DVec2::min);
+        let most = of_the_web().fold(DVec2::NEG_INFINITY, DVec2::max);
+        Flat { web, extent: [least, most], radius: web.radius(), nodes, is_web }
+    }
+
+    fn arms(&self, stated: Option<u32>) -> Arms {
+        let corners = &self.web.corners;
+        let count = stated.map_or(if corners.len() < 3 { 6.0 } else { corners.len() as f64 }, f64::from);
+        let first = corners.first().map_or(DVec2::X, |&corner| self.nodes[corner]);
+        Arms { count, first: libm::atan2(first.y, first.x) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::packing::Pattern;
+    use crate::{
+        Cutting, Diamond, Graph, GraphNode, GraphRope, Radial, cut, diamond, graph, polygon, radial, space, square,
+        topological, traditional,
+    };
+
+    const FOLDINGS: [Folding; 6] = [
+        Folding::Rings,
+        Folding::Lines,
+        Folding::Layers,
+        Folding::Roll,
+        Folding::Star { arms: None },
+        Folding::Star { arms: Some(9) },
+    ];
+
+    fn kind_of_web(kind: usize) -> Web {
+        match kind {
+            0 => traditional(2.5, 6),
+            1 => topological(2.5, 0.14),
+            2 => space(2.5, 0.14),
+            3 => polygon(5, 2.5, 0.4),
+            4 => radial(&Radial { diameter: 5.0, radials: 12, rings: 5, hub_diameter: Some(0.5), corners: 4 }),
+            5 => diamond(&Diamond { mesh: 0.5, hanging_ratio: 0.6, meshes_wide: 8, meshes_high: 5 }),
+            6 => square(3.5, 0.5).and_then(|net| net.with_gathering(7, 0.0)),
+            _ => return dome(),
+        }
+        .unwrap()
+    }
+
+    /// A graph that is not flat, and whose middle is not the origin: rings and radials of a dome.
+    fn dome() -> Web {
+        let (around, rings) = (8, 4);
+        let place = |ring: usize, number: usize| {
+            let (r, angle) = (0.6 * (ring + 1) as f64, PI / 4.0 * number as f64);
+            DVec3::new(3.0 + r * libm::cos(angle), 1.0 + r * libm::sin(angle), 1.0 - 0.2 * r * r)
+        };
+        let id = |ring: usize, number: usize| format!("{ring}-{}", number % around);
+        let all = || (0..rings).flat_map(|ring| (0..around).map(move |number| (ring, number)));
+        let nodes = all().map(|(ring, number)| GraphNode { id: id(ring, number), position: place(ring, number) });
+        let rope = |a: String, b: String| GraphRope { a, b, ..GraphRope::default() };
+        let round = all().map(|(ring, number)| rope(id(ring, number), id(ring, number + 1)));
+        let out =
+            all().filter(|&(ring, _)| ring > 0).map(|(ring, number)| rope(id(ring - 1, number), id(ring, number)));
+        graph(&Graph {
+            nodes: nodes.collect(),
+            ropes: round.chain(out).collect(),
+            outline: (0..around).map(|number| id(rings - 1, number)).collect(),
+            corners: (0..around).step_by(2).map(|number| id(rings - 1, number)).collect(),
+            ..Graph::default()
+        })
+        .unwrap()
+    }
+
+    fn stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
+        net.segments()
+            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn folded(folding: Folding, container: Container, spacing: f64) -> Folded {
+        Folded { folding, container, spacing, mouth: Mouth::default() }
+    }
+
+    /// A net of 4 m and 5 x 5 knots, and where its corner, the middle of a side, its centre and half the way from that to the
+    /// corner come to lie.
+    fn packed_square(folding: Folding, container: Container, spacing: f64) -> [DVec3; 4] {
+        let net = cut(&square(4.0, 1.0).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
+        let packed = folded(folding, container, spacing).pack(&net, None).unwrap();
+        let at = |x: f64, y: f64| {
+            let found = net.nodes.iter().position(|node| node.distance(DVec3::new(x, y, 0.0)) < 1e-9);
+            packed[found.expect("a knot lies there")]
+        };
+        [at(-2.0, -2.0), at(0.0, -2.0), at(0.0, 0.0), at(-1.0, -1.0)]
+    }
+
+    #[test]
+    fn a_net_that_needs_no_fold_lies_flat() {
+        for folding in [Folding::Rings, Folding::Lines, Folding::Layers] {
+            let container = Container::Box { width: 6.0, breadth: 6.0, height: 5.0 };
+            let [corner, side, centre, _] = packed_square(folding, container, 0.01);
+            assert!((corner.distance(centre) - 8.0_f64.sqrt()).abs() < 1e-12);
+            assert!((side.distance(centre) - 2.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn walls_stand_about_a_floor_and_end_at_the_top() {
+        // a floor of 0.5 m - 2 x 0.1 m and three walls of a with two bends take the radius of sqrt(8) m
+        let container = Container::Cylinder { radius: 0.55, height: 1.1 };
+        let [corner, _, centre, halfway] = packed_square(Folding::Rings, container, 0.1);
+        let wall = (8.0_f64.sqrt() - 0.3 - 0.1 * PI) / 3.0;
+        assert!((corner.truncate().length() - 0.5).abs() < 1e-12);
+        assert!((corner.z - centre.z - wall).abs() < 1e-12);
+        // up the first wall, through its bend, down the second
+        let down = 2.0_f64.sqrt() - 0.3 - wall - 0.05 * PI;
+        assert!((halfway.truncate().length() - 0.4).abs() < 1e-12);
+        assert!((halfway.z - centre.z - (wall - down)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_roll_of_one_layer_has_the_radius_of_its_area() {
+        // 4 m of a band as high as the net, wound at 0.02 m: pi R^2 is about 4 m x 0.02 m
+        let container = Container::Cylinder { radius: 0.2, height: 5.0 };
+        let [corner, side, centre, _] = packed_square(Folding::Roll, container, 0.02);
+        assert!((corner.z - centre.z).abs() - 2.0 < 1e-12);
+        assert!((side - centre).truncate().length() < 1e-12);
+        let radius = (corner - centre).truncate().length();
+        assert!((radius - (4.0 * 0.02 / PI).sqrt()).abs() < 0.01, "{radius}");
+    }
+
+    #[test]
+    fn a_container_that_is_too_small_says_which_does() {
+        let net = cut(&square(4.0, 1.0).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
+        let container = Container::Box { width: 0.5, breadth: 0.5, height: 0.05 };
+        let error = folded(Folding::Layers, container, 0.01).pack(&net, None).unwrap_err();
+        let PackingError::Room { enough: Some(enough), .. } = error else { panic!("{error}") };
+        assert!(folded(Folding::Layers, enough, 0.01).pack(&net, None).is_ok());
+        // all of the net's 16 m^2, 0.01 m thick, and not much more
+        let Container::Box { width, breadth, height } = enough else { panic!() };
+        let volume = width * breadth * height;
+        assert!(volume > 0.16 && volume < 0.3, "{error}: {volume} m^3");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(512))]
+        #[test]
+        fn what_fits_its_container_stretches_no_rope_however_it_is_folded_and_disturbed(
+            kind in 0..8_usize,
+            folding in 0..FOLDINGS.len(),
+            radius in 0.1..2.0_f64,
+            slender in 0.2..4.0_f64,
+            spacing in 0.001..0.02_f64,
+            segment_length in 0.05..1.0_f64,
+            is_box in any::<bool>(),
+            imperfection in prop::option::of((0.0..0.05_f64, -1.0..1.0_f64, 0.0..0.2_f64, any::<u64>())),
+        ) {
+            let web = kind_of_web(kind).with_traction(6.0, 1).unwrap();
+            let net = cut(&web, &Cutting::SegmentLength(segment_length)).unwrap();
+            let height = slender * radius;
+            let container = match is_box {
+                true => Container::Box { width: 2.0 * radius, breadth: 1.5 * radius, height },
+                false => Container::Cylinder { radius, height },
+            };
+            let imperfection =
+                imperfection.map(|(scatter, twist, slack, seed)| Imperfection { scatter, twist, slack, seed });
+            let pack = |container| {
+                Pattern::Folded(folded(FOLDINGS[folding], container, spacing)).pack_imperfectly(&net, imperfection.as_ref())
+            };
+            let packed = match pack(container) {
+                Err(PackingError::Room { enough, .. }) => pack(enough.expect("some container does")),
+                packed => packed,
+            };
+            let longest = stretch(&net, &packed.unwrap());
+            prop_assert!(longest < 1e-11, "{longest}");
+        }
+
+        #[test]
+        fn what_is_packed_lies_in_its_container(
+            kind in 0..8_usize, folding in 0..FOLDINGS.len(), radius in 0.2..1.0_f64, height in 0.2..3.0_f64,
+        ) {
+            let net = cut(&kind_of_web(kind), &Cutting::SegmentLength(0.1)).unwrap();
+            let container = Container::Cylinder { radius, height };
+            let spacing = 0.004;
+            let folding = FOLDINGS[folding];
+            let (packed, container) = match folded(folding, container, spacing).pack(&net, None) {
+                Ok(packed) => (packed, container),
+                Err(PackingError::Room { enough: Some(enough), .. }) => {
+                    (folded(folding, enough, spacing).pack(&net, None).unwrap(), enough)
+                }
+                Err(error) => panic!("{error}"),
+            };
+            let Container::Cylinder { radius, height } = container else { unreachable!() };
+            for node in packed {
+                prop_assert!(node.truncate().length() <= radius - 0.5 * spacing + 1e-9);
+                prop_assert!(node.z < 1e-12 && node.z > spacing - height - 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Seeded imperfection of a packed web: it is twisted, shrunk a little and scattered, and nothing is stretched by that.
+//!
+//! 1. Every node is turned about the launch axis, by nothing at the top and by `twist` at the lowest node, in proportion
+//!    to its depth.
+//! 2. The web is shrunk towards the axis at its top: by as much as the twist stretched any tie, so that none is
+//!    stretched any more, and then by `slack`.
+//! 3. Node by node, in order, each is moved aside, normal to the axis, by two normal deviates of standard deviation
+//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none.
+//!
+//! A tie is a segment of rope, or a pair of knots of one canopy: at most its rest length apart before, it is so after
+//! each of these. Deviates come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), and elementary
+//! functions from libm: a seed means the same bits on every machine.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec2, DVec3, dvec2};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use crate::CutWeb;
+
+/// How a packed web differs from its pattern.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Imperfection {
+    /// Standard deviation of each node's place along each of the two directions normal to the launch axis, m.
+    pub scatter: f64,
+    /// Turn of the lowest node about the launch axis against the highest, rad.
+    pub twist: f64,
+    /// By how much the web is shrunk beforehand, so that its ropes have room to move: 0 or more, less than 1.
+    pub slack: f64,
+    /// What the scatter is drawn from.
+    pub seed: u64,
+}
+
+/// Two nodes that may not come farther apart than a length, m.
+struct Tie {
+    ends: [usize; 2],
+    length: f64,
+}
+
+/// What a tie may be longer than its rest length by, relative, for rounding not to shrink a web that is none the worse
+/// for it.
+const ROUNDING: f64 = 1e-12;
+
+impl Imperfection {
+    /// Disturbs the nodes of a packed web that are listed in `is_part`.
+    pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
+        let ties = ties(cut_web, is_part);
+        let parts: Vec<usize> = (0..packed.len()).filter(|&node| is_part[node]).collect();
+        let top = parts.iter().map(|&node| packed[node].z).fold(f64::NEG_INFINITY, f64::max);
+        let bottom = parts.iter().map(|&node| packed[node].z).fold(f64::INFINITY, f64::min);
+        if self.twist != 0.0 && top > bottom {
+            for &node in &parts {
+                let angle = self.twist * (top - packed[node].z) / (top - bottom);
+                let turned = dvec2(libm::cos(angle), libm::sin(angle)).rotate(packed[node].truncate());
+                packed[node] = turned.extend(packed[node].z);
+            }
+        }
+        let stretch = |tie: &Tie| packed[tie.ends[0]].distance(packed[tie.ends[1]]) / tie.length;
+        let longest = ties.iter().map(stretch).fold(0.0, f64::max);
+        let factor = (1.0 - self.slack) / if longest > 1.0 + ROUNDING { longest } else { 1.0 };
+        let anchor = DVec3::Z * top;
+        for &node in &parts {
+            packed[node] = anchor + (packed[node] - anchor) * factor;
+        }
+        self.scatter(&parts, &Neighbours::of(&ties, packed.len()), packed);
+    }
+
+    fn scatter(&self, parts: &[usize], neighbours: &Neighbours, packed: &mut [DVec3]) {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        for &node in parts {
+            let way = (self.scatter * normal_pair(&mut random)).extend(0.0);
+            let allowed = neighbours
+                .of_node(node)
+                .map(|&(other, length)| reach(packed[node] - packed[other], way, length))
+                .fold(1.0, f64::min);
+            packed[node] += way * allowed;
+        }
+    }
+}
+
+/// The nodes tied to each node, and how far they may be apart, m.
+struct Neighbours {
+    first: Vec<usize>,
+    ties: Vec<(usize, f64)>,
+}
+
+impl Neighbours {
+    fn of(ties: &[Tie], nodes: usize) -> Neighbours {
+        let mut directed: Vec<(usize, usize, f64)> =
+            ties.iter().flat_map(|&Tie { ends: [a, b], length }| [(a, b, length), (b, a, length)]).collect();
+        directed.sort_by_key(|&(from, to, _)| (from, to));
+        let first = (0..=nodes).map(|node| directed.partition_point(|&(from, ..)| from < node)).collect();
+        Neighbours { first, ties: directed.into_iter().map(|(_, to, length)| (to, length)).collect() }
+    }
+
+    fn of_node(&self, node: usize) -> impl Iterator<Item = &(usize, f64)> {
+        self.ties[self.first[node]..self.first[node + 1]].iter()
+    }
+}
+
+/// The largest share, 0 to 1, of the way that keeps a point within `length` of the origin; 0 where it is not within.
+fn reach(from: DVec3, way: DVec3, length: f64) -> f64 {
+    let (square, along) = (way.length_squared(), from.dot(way));
+    // a hair shorter, for rounding
+    let room = length * length * (1.0 - ROUNDING) - from.length_squared();
+    if room <= 0.0 {
+        return 0.0;
+    }
+    // the smaller root of a quadratic, written so that nothing cancels
+    let root = (along * along + square * room).sqrt();
+    let share = if along > 0.0 { room / (along + root) } else { (root - along) / square };
+    share.min(1.0)
+}
+
+/// Two independent normal deviates.
+fn normal_pair(random: &mut ChaCha8Rng) -> DVec2 {
+    // of 53 bits, from 0 but never 1
+    let mut uniform = || (random.next_u64() >> 11) as f64 * (0.5 / (1_u64 << 52) as f64);
+    let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
+    let angle = TAU * uniform();
+    dvec2(radius * libm::cos(angle), radius * libm::sin(angle))
+}
+
+fn ties(cut_web: &CutWeb, is_part: &[bool]) -> Vec<Tie> {
+    let segments = cut_web.segments().map(|segment| Tie { ends: [segment.a, segment.b], length: segment.rest_length });
+    let plates = cut_web.web.canopies.iter().flat_map(|canopy| {
+        let knots: Vec<usize> = canopy.rim.into_iter().chain([canopy.hub]).collect();
+        let pairs = (0..knots.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
+        pairs.map(|(one, other)| [knots[one], knots[other]]).collect::<Vec<_>>()
+    });
+    let plates = plates.map(|[a, b]| Tie { ends: [a, b], length: cut_web.nodes[a].distance(cut_web.nodes[b]) });
+    segments.chain(plates).filter(|tie| tie.ends.iter().all(|&end| is_part[end])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Cutting, cut, square};
+
+    #[test]
+    fn a_share_of_a_way_within_a_sphere() {
+        let from = DVec3::new(3.0, 0.0, 0.0);
+        assert_eq!(reach(from, DVec3::X, 10.0), 1.0);
+        assert!((reach(from, DVec3::X * 4.0, 5.0) - 0.5).abs() < 1e-11);
+        assert!((reach(from, DVec3::X * -16.0, 5.0) - 0.5).abs() < 1e-11);
+        assert!((reach(from, DVec3::Y * 8.0, 5.0) - 0.5).abs() < 1e-11);
+        assert_eq!(reach(from, DVec3::X, 2.0), 0.0);
+        assert_eq!(reach(from, DVec3::ZERO, 5.0), 1.0);
+    }
+
+    #[test]
+    fn deviates_are_normal_and_those_of_their_seed() {
+        let mut random = ChaCha8Rng::seed_from_u64(5);
+        let pairs: Vec<DVec2> = (0..20_000).map(|_| normal_pair(&mut random)).collect();
+        let mean = |of: &dyn Fn(&DVec2) -> f64| pairs.iter().map(of).sum::<f64>() / pairs.len() as f64;
+        // four standard errors
+        for axis in [DVec2::X, DVec2::Y] {
+            assert!(mean(&|p| p.dot(axis)).abs() < 0.03);
+            assert!((mean(&|p| p.dot(axis).powi(2)) - 1.0).abs() < 0.04);
+            assert!((mean(&|p| p.dot(axis).powi(4)) - 3.0).abs() < 0.3);
+        }
+        assert!(mean(&|p| p.x * p.y).abs() < 0.03);
+        let again = normal_pair(&mut ChaCha8Rng::seed_from_u64(5));
+        assert_eq!(again, pairs[0]);
+    }
+
+    #[test]
+    fn slack_ropes_scatter_as_asked() {
+        let net = cut(&square(4.0, 0.5).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
+        let half: Vec<DVec3> = net.nodes.iter().map(|&node| 0.5 * node).collect();
+        let mut packed = half.clone();
+        let imperfection = Imperfection { scatter: 0.02, twist: 0.0, slack: 0.0, seed: 1 };
+        imperfection.disturb(&net, &vec![true; half.len()], &mut packed);
+        let moved: f64 = packed.iter().zip(&half).map(|(a, b)| a.distance_squared(*b)).sum();
+        let deviation = (moved / (2 * half.len()) as f64).sqrt();
+        assert!((deviation - 0.02).abs() < 0.001, "{deviation}");
+    }
+
+    #[test]
+    fn a_twist_turns_the_lowest_node_and_shrinks_what_it_would_stretch() {
+        let net = cut(&square(1.0, 1.0).unwrap(), &Cutting::SegmentLength(1.0)).unwrap();
+        // stood on edge: two knots at the top, two 1 m below
+        let stood: Vec<DVec3> = net.nodes.iter().map(|node| DVec3::new(node.x, 0.0, node.y)).collect();
+        let mut packed = stood.clone();
+        Imperfection { scatter: 0.0, twist: 1.0, slack: 0.0, seed: 0 }.disturb(&net, &[true; 4], &mut packed);
+        let longest = net.segments().map(|s| packed[s.a].distance(packed[s.b]) / s.rest_length).fold(0.0, f64::max);
+        assert!((longest - 1.0).abs() < 1e-12, "{longest}");
+        let low = (0..4).filter(|&node| stood[node].z < 0.0);
+        for node in low {
+            let turned = packed[node].truncate().normalize().angle_to(stood[node].truncate().normalize()).abs();
+            assert!((turned - 1.0).abs() < 1e-12, "{turned}");
+        }
+    }
+}
