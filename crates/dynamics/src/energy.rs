@@ -241,3 +241,44 @@ impl Integral {
         self.last = Some(power);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::system::{Environment, SystemParts};
+
+    /// Does not compile when a part is added, until its channel is named here.
+    #[test]
+    fn every_part_of_a_system_has_its_channel() {
+        let SystemParts {
+            mass,
+            held,
+            tractor,
+            segments,
+            laws,
+            bends,
+            membranes,
+            hinges,
+            loads,
+            bodies,
+            drives,
+            launchers,
+            environment,
+        } = SystemParts::default();
+        let Environment { gravity, mass_damping } = environment;
+        let channels = [
+            ("kinetic", mass.len() + held.len() + tractor.len() + bodies.len()),
+            ("elastic", segments.len() + bends.len() + membranes.len() + hinges.len()),
+            ("gravity", gravity.length() as usize),
+            ("load", loads.len()),
+            ("rope_damping", segments.len() + bends.len()),
+            ("sheet_damping", membranes.len() + hinges.len()),
+            ("rope_hysteresis", laws.len()),
+            ("rupture", segments.len()),
+            ("mass_damping", mass_damping as usize),
+            ("drive", drives.len()),
+            ("launch", launchers.len()),
+        ];
+        let names = super::Ledger::default().channels().map(|(name, _)| name);
+        assert_eq!(channels.map(|(name, _)| name), names);
+    }
+}

@@ -12,7 +12,7 @@
 //! | relaxation | [`viscoelastic`] | elastic, rope_damping |
 //! | bars that push | [`strut`] | elastic |
 //! | breaking | [`breaking`] | rupture |
-//! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | air |
+//! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | none: no step calls them yet |
 //! | weight | [`gravity`] | gravity |
 //! | forces given on nodes | [`load`] | load |
 //! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
