@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use netcast_dynamics::drive::Drive;
+use netcast_dynamics::system::SystemParts;
 use netcast_webs::CutWeb;
 
 use super::selection::Selection;
@@ -51,4 +52,12 @@ pub fn drives(
     }
     Diagnostics::fail_if_any(found)?;
     Ok(drives)
+}
+
+/// That nothing is driven that belongs to a rigid body.
+pub fn are_no_bodies(document: &Document, cut: &CutWeb, parts: &SystemParts) -> Result<(), Diagnostics> {
+    let ties: Vec<usize> = parts.bodies.iter().flat_map(|body| &body.ties).map(|tie| tie.node).collect();
+    let Some(drive) = parts.drives.iter().find(|drive| ties.contains(&drive.node)) else { return Ok(()) };
+    let message = format!("{} is tied to a rigid body, which a drive does not move", cut.node_label(drive.node));
+    Err(document.diagnostic("drive", message).with_help("make that body a particle").into())
 }

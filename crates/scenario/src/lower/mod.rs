@@ -217,6 +217,11 @@ impl Model {
             let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
             body.map_or(knot, |body| body.centre)
         };
+        drives::are_no_bodies(document, &cut, &parts)?;
+        // what acts on a tractor acts on its middle
+        for load in parts.loads.iter_mut().filter(|load| cut.web.tractors.contains(&load.node)) {
+            load.node = centre_of(load.node);
+        }
         let tractors: Vec<usize> = cut.web.tractor_ring().into_iter().map(centre_of).collect();
         throws.iter_mut().flatten().for_each(|throw| throw.node = centre_of(throw.node));
         release::throw(&mut throws, &mut parts, &mut state);
