@@ -4,6 +4,7 @@ mod nets;
 
 use glam::{DQuat, DVec3};
 use netcast_dynamics::drive::Drive;
+use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome, Schedule, simulate};
 use netcast_dynamics::system::{Environment, System};
@@ -193,8 +194,10 @@ proptest! {
     #[test]
     fn at_the_limit_of_the_step_a_body_does_not_come_apart(wy in -9.0..9.0) {
         let mut net = rod_between_ropes(DVec3::ZERO, DVec3::new(0.0, wy, 1.0));
-        // without damping, whose cost the limit counts too
+        // without damping, whose cost the limit counts too; and bars, for near the limit every slack-taut event gains
+        // energy, with bodies or without
         net.parts.segments.iter_mut().for_each(|s| s.damping = 0.0);
+        net.parts.laws = vec![Law::Strut];
         let (_, outcome) = fly(&net, 0.9);
         prop_assert!(outcome.stopped.is_none(), "{:?}", outcome.stopped);
     }
