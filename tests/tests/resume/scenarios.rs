@@ -187,7 +187,7 @@ record.every = "2 ms"
         r#"
 web.polygon = { sides = 8, side = "0.8 m", mesh = "0.3 m" }
 tractor.particle.mass = "0.3 kg"
-stow.scale.factor = 0.25
+stow.roll.container.box = { width = "0.6 m", breadth = "0.6 m", height = "0.5 m" }
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.3 m" }
 record.every = "2 ms"
@@ -215,7 +215,7 @@ record.every = "2 ms"
 web.radial = { diameter = "2 m", radials = 9, rings = 4, hub_diameter = "0.4 m", corners = 3 }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", law.linear = {} }
 tractor.particle.mass = "0.3 kg"
-stow.bag.radius = "0.3 m"
+stow.star.container.box = { width = "0.8 m", breadth = "0.8 m", height = "0.3 m" }
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.25 m" }
 record.every = "2 ms"
@@ -227,7 +227,7 @@ record.every = "2 ms"
 web.diamond = { mesh = "0.25 m", meshes_wide = 5, meshes_high = 4, angle = "70 deg" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", law.table.file = "belt.csv" }
 tractor.particle.mass = "0.3 kg"
-stow.scale.factor = 0.25
+stow.layers.container.box = { width = "0.5 m", breadth = "0.5 m", height = "0.4 m" }
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.25 m" }
 record.every = "2 ms"
