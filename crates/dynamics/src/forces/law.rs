@@ -6,7 +6,7 @@
 //! | bilinear | [`bilinear`](super::bilinear) | another stiffness beyond a strain | | rope_damping |
 //! | tabulated | [`tabulated`](super::tabulated) | a table, unloading on a path of its own | largest strain | rope_hysteresis |
 //! | viscoelastic | [`viscoelastic`](super::viscoelastic) | standard linear solid | dashpot | rope_damping |
-//! | strut | [`strut`](super::strut) | k d, and pushes | | rope_damping |
+//! | strut | [`strut`] | k d, and pushes | | rope_damping |
 //!
 //! Beside each works the damper c d' of [`rope_tension`]; all but the strut pull only where they are taut, and never
 //! push. d is the stretch, m. A law belongs to a link class, its stiffness k and damping c to each segment.
