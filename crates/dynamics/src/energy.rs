@@ -264,7 +264,7 @@ mod tests {
             launchers,
             environment,
         } = SystemParts::default();
-        let Environment { gravity, mass_damping } = environment;
+        let Environment { gravity, mass_damping, air } = environment;
         let channels = [
             ("kinetic", mass.len() + held.len() + tractor.len() + bodies.len()),
             ("elastic", segments.len() + bends.len() + membranes.len() + hinges.len()),

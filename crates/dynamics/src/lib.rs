@@ -31,7 +31,7 @@
 //!     tractor: vec![false, false],
 //!     segments: vec![rope],
 //!     laws: vec![Law::Linear],
-//!     environment: Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 0.0 },
+//!     environment: Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 0.0, ..Environment::default() },
 //!     ..SystemParts::default()
 //! }
 //! .build()?;

@@ -237,7 +237,7 @@ fn fictitious(system: &System, resting: &Resting) -> System {
         bodies,
         drives: Vec::new(),
         launchers: Vec::new(),
-        environment: Environment { gravity: DVec3::ZERO, mass_damping: LEAST_DAMPING },
+        environment: Environment { gravity: DVec3::ZERO, mass_damping: LEAST_DAMPING, ..Environment::default() },
     };
     let limiting = limiting_mass(&parts.clone().build().expect("what is left of a system is one"), STEP / STEP_SHARE);
     for (mass, limiting) in parts.mass.iter_mut().zip(limiting).filter(|(mass, limiting)| **mass * limiting > 0.0) {
@@ -378,7 +378,11 @@ mod tests {
             tractor: vec![false; mass.len()],
             segments,
             laws: vec![Law::Linear],
-            environment: Environment { gravity: DVec3::new(0.0, 0.0, -10.0), mass_damping: 0.5 },
+            environment: Environment {
+                gravity: DVec3::new(0.0, 0.0, -10.0),
+                mass_damping: 0.5,
+                ..Environment::default()
+            },
             ..SystemParts::default()
         };
         let velocity = vec![DVec3::ZERO; mass.len()];

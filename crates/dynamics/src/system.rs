@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::air::{Air, Attitude};
 use crate::body::Body;
 use crate::drive::Drive;
 use crate::forces::bending::Bending;
@@ -46,12 +47,14 @@ impl Segment {
 }
 
 /// What surrounds the net.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Environment {
     /// Acceleration of gravity, m/s^2, as a vector in the world frame.
     pub gravity: DVec3,
     /// Mass-proportional damping, 1/s: a force -damping * m * v on every node.
     pub mass_damping: f64,
+    /// What drags at it, if anything.
+    pub air: Option<Air>,
 }
 
 /// The net as a system of ordinary differential equations.
@@ -241,7 +244,8 @@ impl SystemParts {
                 return Err(SystemError::Law { class, what, value });
             }
         }
-        let Environment { gravity, mass_damping } = self.environment;
+        let Environment { gravity, mass_damping, ref air } = self.environment;
+        air.iter().try_for_each(|air| self.check_air(air))?;
         if !gravity.is_finite() {
             return Err(SystemError::Environment { what: "gravity, m/s^2", value: gravity.length() });
         }
@@ -271,6 +275,45 @@ impl SystemParts {
             environment: self.environment,
             layout,
         })
+    }
+
+    /// That what drags is there, and its values can be computed with.
+    fn check_air(&self, air: &Air) -> Result<(), SystemError> {
+        let (nodes, classes) = (self.mass.len(), self.laws.len());
+        if air.ropes.len() != classes {
+            let what = "drag of ropes, link classes of it";
+            return Err(SystemError::Environment { what, value: air.ropes.len() as f64 });
+        }
+        let wrong = |what, index, node, why| Err(SystemError::Attached { what, index, node, why });
+        for (index, sheet) in air.sheets.iter().enumerate() {
+            if let Some(&node) = sheet.nodes.iter().find(|&&node| node >= nodes) {
+                return wrong("drag of a sheet", index, node, "does not exist");
+            }
+        }
+        for (index, body) in air.bodies.iter().enumerate() {
+            let is_there = match body.attitude {
+                Attitude::Fixed(_) => body.node < nodes,
+                Attitude::Body(at) => self.bodies.get(at).is_some_and(|own| own.centre == body.node),
+            };
+            if !is_there {
+                return wrong("drag of a body", index, body.node, "does not exist, or is not that body's centre");
+            }
+        }
+        let of_ropes = air.ropes.iter().flatten().flat_map(|rope| {
+            let normal = rope.normal.unwrap_or_default();
+            [("diameter of a rope that drags, m", rope.diameter), ("normal coefficient", normal)]
+                .into_iter()
+                .chain([("tangential coefficient", rope.tangential), ("screen factor", rope.screen)])
+        });
+        let of_sheets = air.sheets.iter().map(|sheet| ("coefficient of a sheet", sheet.coefficient));
+        let own = [
+            ("density, kg/m^3", air.medium.density(0.0)),
+            ("viscosity, Pa s", air.medium.viscosity()),
+            ("added mass", air.added_mass),
+            ("fastest wind, m/s", air.fastest),
+        ];
+        let wrong = of_ropes.chain(of_sheets).chain(own).find(|(_, value)| !(*value >= 0.0 && value.is_finite()));
+        wrong.map_or(Ok(()), |(what, value)| Err(SystemError::Environment { what, value }))
     }
 
     /// That loads, bodies, drives and launchers have nodes of the right kind, and values that can be computed with.

@@ -73,7 +73,8 @@ fn a_body_without_a_torque_turns_freely_while_it_falls() {
     let spin = DVec3::new(0.1, 6.0, 0.3);
     let inertia = DVec3::new(1.0, 2.0, 3.0);
     let centre = net.body(DVec3::ZERO, DVec3::Z, 2.0, inertia, (DQuat::IDENTITY, spin), &[]);
-    net.parts.environment = Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.0 };
+    net.parts.environment =
+        Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.0, ..Environment::default() };
     let system = net.build();
     let mut film = Film::default();
     let outcome = simulate(&system, &net.state, &Schedule::new(1.0, 1.0, 1e-3), 1, &mut film);
@@ -111,7 +112,8 @@ fn a_body_tied_above_its_centre_swings_below_its_rope_as_a_double_pendulum() {
     let moments = DVec3::new(inertia, inertia, 0.5 * inertia);
     let body = net.body(centre, DVec3::ZERO, mass, moments, (turned, DVec3::ZERO), &[tie]);
     net.parts.held[above] = true;
-    net.parts.environment = Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.0 };
+    net.parts.environment =
+        Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.0, ..Environment::default() };
     let system = net.build();
     let period = std::f64::consts::TAU / w2.sqrt();
     let mut film = Film::default();
@@ -214,7 +216,8 @@ fn what_drives_a_node_does_the_work_that_the_net_gains() {
         (5e-3 * f64::from(i), DVec3::new(0.0, 0.2 * angle.sin(), 0.3 * (1.0 - angle.cos())))
     });
     net.parts.drives = vec![Drive { node: 0, path: path.collect() }];
-    net.parts.environment = Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.5 };
+    net.parts.environment =
+        Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 0.5, ..Environment::default() };
     let system = net.build();
     let schedule = Schedule::new(1.2, 0.01, 0.2 * step_limit(&system).dt);
     let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());

@@ -15,7 +15,7 @@ proptest! {
     #[test]
     fn momenta_are_kept(mut net in nets::any_net(0.05), falling: bool) {
         let gravity = if falling { DVec3::new(0.0, 0.0, -9.80665) } else { DVec3::ZERO };
-        net.parts.environment = Environment { gravity, mass_damping: 0.0 };
+        net.parts.environment = Environment { gravity, mass_damping: 0.0, ..Environment::default() };
         let system = net.build();
         let mass = system.mass();
         let total: f64 = mass.iter().sum();

@@ -27,7 +27,7 @@ fn shot(launcher: Launcher, gravity: DVec3, dt: f64) -> (Outcome, Film) {
     let node = net.node(DVec3::ZERO, DVec3::ZERO);
     net.parts.mass[node] = MASS;
     net.parts.launchers = vec![launcher];
-    net.parts.environment = Environment { gravity, mass_damping: 0.0 };
+    net.parts.environment = Environment { gravity, mass_damping: 0.0, ..Environment::default() };
     let mut film = Film::default();
     let outcome = simulate(&net.build(), &net.state, &Schedule::new(0.1, 1e-3, dt), 1, &mut film);
     (outcome, film)
@@ -138,7 +138,8 @@ fn a_rope_pulled_out_of_two_launchers_closes_its_energy() {
         // a cover over the middle of the rope
         Launcher { node: 5, at: 10e-3, by: Means::Velocity(DVec3::ZERO) },
     ];
-    net.parts.environment = Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 1.0 };
+    net.parts.environment =
+        Environment { gravity: DVec3::NEG_Z * GRAVITY, mass_damping: 1.0, ..Environment::default() };
     let system = net.build();
     let mut film = Film::default();
     let schedule = Schedule::new(0.1, 1e-3, 0.2 * step_limit(&system).dt);

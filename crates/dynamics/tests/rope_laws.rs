@@ -51,7 +51,7 @@ fn a_mass_on_a_relaxing_rope_moves_as_its_differential_equations() {
     let (damping, breaking) = (0.0, Breaking::NEVER);
     net.parts.segments = vec![Segment { ends: [top, bottom], rest_length, stiffness: k, damping, class: 0, breaking }];
     net.parts.laws = vec![Law::Viscoelastic(Viscoelastic { ratio, relaxation_time: tau })];
-    net.parts.environment = Environment { gravity: -gravity * DVec3::Z, mass_damping: 0.0 };
+    net.parts.environment = Environment { gravity: -gravity * DVec3::Z, mass_damping: 0.0, ..Environment::default() };
     let system = net.build();
     let mut film = Film::default();
     let outcome =
@@ -101,7 +101,7 @@ fn a_square_frame_of_struts_is_held_by_one_of_its_two_ropes() {
     // the load is the weight of the two free corners, all but a thousandth of it at the third
     let (mass, light) = (1.0, 0.001);
     (net.parts.mass[2], net.parts.mass[3]) = (mass - light, light);
-    net.parts.environment = Environment { gravity: 1000.0 * DVec3::X, mass_damping: 300.0 };
+    net.parts.environment = Environment { gravity: 1000.0 * DVec3::X, mass_damping: 300.0, ..Environment::default() };
     net.parts.laws = vec![Law::Strut, Law::Linear];
     let side = 1.0;
     for (ends, rest_length, class) in [

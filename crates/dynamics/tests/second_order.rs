@@ -17,7 +17,8 @@ fn end_of_run(dt_share: f64, count: u64) -> Vec<DVec3> {
         *x = DVec3::new(1.1 * u, 0.05 * libm::sin(3.0 * u), 0.08 * u * (1.0 - u));
     }
     (net.parts.held[0], net.parts.held[8]) = (true, true);
-    net.parts.environment = Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 2.0 };
+    net.parts.environment =
+        Environment { gravity: DVec3::new(0.0, 0.0, -9.81), mass_damping: 2.0, ..Environment::default() };
     let system = net.build();
     let duration = 40.0 * 0.5 * step_limit(&system).dt;
     let schedule = Schedule::new(duration, duration, dt_share * step_limit(&system).dt);

@@ -4,29 +4,56 @@ pub mod atmosphere;
 pub mod turbulence;
 pub mod wind;
 
-use glam::DVec3;
+use glam::DQuat;
 
+use crate::forces::body_drag::Shape;
+use crate::forces::rope_drag::RopeDrag;
+use crate::forces::sheet_drag::SheetDrag;
 use atmosphere::Medium;
 use wind::Wind;
 
-/// What surrounds a net and drags at it.
+/// What surrounds a net and drags at it, and what of the net it drags at.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Air {
     /// Density and viscosity.
     pub medium: Medium,
     /// How it moves.
     pub wind: Wind,
+    /// How the ropes of each link class drag; none where a class does not. Shape (classes,).
+    pub ropes: Vec<Option<RopeDrag>>,
+    /// Triangles that drag.
+    pub sheets: Vec<SheetDrag>,
+    /// Bodies that drag.
+    pub bodies: Vec<BodyDrag>,
+    /// Added mass of ropes across their length, over the mass of the medium that they displace; 0 leaves it out.
+    pub added_mass: f64,
+    /// The fastest wind relative to the net for which the step has to be stable, m/s.
+    pub fastest: f64,
+}
+
+/// A body, or a mass of some shape, that drags.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyDrag {
+    /// The node at its centre.
+    pub node: usize,
+    /// How it is turned.
+    pub attitude: Attitude,
+    /// Its shape, along its own axes.
+    pub shape: Shape,
+}
+
+/// How what drags is turned to the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Attitude {
+    /// Always like this.
+    Fixed(DQuat),
+    /// As this rigid body, an index in [`System::bodies`](crate::system::System::bodies).
+    Body(usize),
 }
 
 impl Air {
-    /// Density, kg/m^3, at a height above the muzzle, m.
-    #[inline(always)]
-    pub fn density(&self, height: f64) -> f64 {
-        self.medium.density(height)
-    }
-
-    /// Velocity, m/s, at a height above the muzzle, m, and a time, s.
-    pub fn velocity(&self, height: f64, time: f64) -> DVec3 {
-        self.wind.at(height, time)
+    /// Nothing that drags, in a medium that moves.
+    pub fn new(medium: Medium, wind: Wind) -> Air {
+        Air { medium, wind, ropes: Vec::new(), sheets: Vec::new(), bodies: Vec::new(), added_mass: 0.0, fastest: 0.0 }
     }
 }

@@ -14,6 +14,15 @@ use glam::DVec3;
 /// Coefficient of a plate square to the wind.
 pub const PLATE: f64 = 1.17;
 
+/// A triangle of sheet that drags.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SheetDrag {
+    /// Its corners.
+    pub nodes: [usize; 3],
+    /// Coefficient with the porosity taken off.
+    pub coefficient: f64,
+}
+
 /// Force on a triangle with corners at `x`, m, that move at `v`, m/s, in a `wind`, m/s: N, a third of it on each corner.
 /// `density` in kg/m^3; `coefficient` with the porosity taken off.
 pub fn force(x: [DVec3; 3], v: [DVec3; 3], wind: DVec3, density: f64, coefficient: f64) -> DVec3 {

@@ -154,7 +154,7 @@ pub fn any_net(damping_ratio: f64) -> impl Strategy<Value = Net> {
 
 /// Standard gravity in a slanted direction and damping of 3 1/s.
 pub fn surroundings() -> Environment {
-    Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0 }
+    Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0, ..Environment::default() }
 }
 
 /// One of every law.

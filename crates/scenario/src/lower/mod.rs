@@ -200,6 +200,7 @@ impl Model {
                 // 0 - g, for the sign of a zero
                 gravity: DVec3::new(0.0, 0.0, 0.0 - gravity),
                 mass_damping: scenario.environment.damping.si(),
+                ..Environment::default()
             },
             ..SystemParts::default()
         };
