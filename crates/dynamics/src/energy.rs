@@ -37,6 +37,10 @@ pub struct Ledger {
     pub drive: f64,
     /// Work done on launchers since the start; negative where these have thrown.
     pub launch: f64,
+    /// Work done on the air since the start; negative where wind has driven the net.
+    pub air: f64,
+    /// Work done on the inertia of the medium around ropes since the start.
+    pub added_mass: f64,
 }
 
 impl Ledger {
@@ -77,7 +81,7 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 11] {
+    pub fn channels(&self) -> [(&'static str, f64); 13] {
         let Ledger {
             kinetic,
             kinetic_web: _,
@@ -91,6 +95,8 @@ impl Ledger {
             mass_damping,
             drive,
             launch,
+            air,
+            added_mass,
         } = *self;
         [
             ("kinetic", kinetic),
@@ -104,6 +110,8 @@ impl Ledger {
             ("mass_damping", mass_damping),
             ("drive", drive),
             ("launch", launch),
+            ("air", air),
+            ("added_mass", added_mass),
         ]
     }
 
@@ -195,6 +203,8 @@ pub(crate) struct Losses {
     load: f64,
     drive: f64,
     launch: f64,
+    air: f64,
+    added_mass: f64,
 }
 
 impl Losses {
@@ -205,6 +215,8 @@ impl Losses {
         self.load += sums.load_work;
         self.drive += sums.drive_work;
         self.launch += sums.launch_work;
+        self.air += sums.air_work;
+        self.added_mass += sums.added_mass_work;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {
@@ -219,10 +231,11 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, load, drive, launch } = *self;
+        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, load, drive, launch, air, added_mass } =
+            *self;
         let now = Ledger::of(system, state, ropes);
         let (load, mass_damping) = (now.load - load, mass.value);
-        Ledger { load, rope_damping, sheet_damping, rupture, mass_damping, drive, launch, ..now }
+        Ledger { load, rope_damping, sheet_damping, rupture, mass_damping, drive, launch, air, added_mass, ..now }
     }
 }
 
@@ -277,6 +290,8 @@ mod tests {
             ("mass_damping", mass_damping as usize),
             ("drive", drives.len()),
             ("launch", launchers.len()),
+            ("air", air.as_ref().map_or(0, |air| air.ropes.len())),
+            ("added_mass", air.as_ref().map_or(0, |air| air.added_mass as usize)),
         ];
         let names = super::Ledger::default().channels().map(|(name, _)| name);
         assert_eq!(channels.map(|(name, _)| name), names);

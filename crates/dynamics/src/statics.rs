@@ -15,6 +15,7 @@
 //! its longest arm.
 //!
 //! The step is that of [`crate::time`], hence every force that it knows, and the same bits on any number of threads.
+//! Wind blows as it does at the start; the drag of the fictitious motion goes with it.
 //! Ropes have the tensions that last ([`Law::lasting`]), and do not break.
 //!
 //! Sources: Cundall, Explicit finite-difference methods in geomechanics, 1976 (kinetic damping); Barnes, Int. J. Space
@@ -22,7 +23,9 @@
 
 use glam::DVec3;
 
-use crate::body::Body;
+use crate::air::wind::Series;
+use crate::air::{Air, Attitude};
+use crate::body::{Body, Rotation};
 use crate::forces::breaking::Breaking;
 use crate::forces::element::Element;
 use crate::forces::law::Law;
@@ -142,7 +145,7 @@ pub fn relax(
     progress: &mut (dyn FnMut(Relaxing) -> bool + Send),
 ) -> Relaxed {
     let resting = Resting::of(system, state);
-    let slow = fictitious(system, &resting);
+    let slow = fictitious(system, &resting, &state.rotation);
     let (mut state, mut turned) = (at_rest(system, state), Vec::new());
     // of the rotations only those that change
     std::mem::swap(&mut state.rotation, &mut turned);
@@ -219,7 +222,7 @@ fn all_loads(system: &System, resting: &Resting) -> Vec<Load> {
 }
 
 /// The same net with fictitious masses, and nothing that moves by itself.
-fn fictitious(system: &System, resting: &Resting) -> System {
+fn fictitious(system: &System, resting: &Resting, turned: &[Rotation]) -> System {
     let slow_to_turn = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
     let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_to_turn(&system.bodies()[body])).collect();
     let mut unit_mass = vec![1.0; system.mass().len()];
@@ -237,7 +240,11 @@ fn fictitious(system: &System, resting: &Resting) -> System {
         bodies,
         drives: Vec::new(),
         launchers: Vec::new(),
-        environment: Environment { gravity: DVec3::ZERO, mass_damping: LEAST_DAMPING, ..Environment::default() },
+        environment: Environment {
+            gravity: DVec3::ZERO,
+            mass_damping: LEAST_DAMPING,
+            air: system.environment().air.as_ref().map(|air| steady(air, &resting.turning, turned)),
+        },
     };
     let limiting = limiting_mass(&parts.clone().build().expect("what is left of a system is one"), STEP / STEP_SHARE);
     for (mass, limiting) in parts.mass.iter_mut().zip(limiting).filter(|(mass, limiting)| **mass * limiting > 0.0) {
@@ -247,6 +254,20 @@ fn fictitious(system: &System, resting: &Resting) -> System {
         body.inertia *= parts.mass[body.centre];
     }
     parts.build().expect("masses and inertias are positive")
+}
+
+/// The air as it is at the start, for a net of which only the bodies `turning` turn.
+fn steady(air: &Air, turning: &[usize], turned: &[Rotation]) -> Air {
+    let mut air = air.clone();
+    air.added_mass = 0.0;
+    air.wind.fluctuation = Series::constant(air.wind.fluctuation.at(0.0));
+    for body in &mut air.bodies {
+        if let Attitude::Body(index) = body.attitude {
+            let kept = turning.iter().position(|&body| body == index);
+            body.attitude = kept.map_or(Attitude::Fixed(turned[index].orientation), Attitude::Body);
+        }
+    }
+    air
 }
 
 /// A segment with friction that never breaks.
@@ -355,7 +376,7 @@ fn residual(net: &Stepper) -> Residual {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::{Rotation, Tie};
+    use crate::body::Tie;
     use crate::drive::Drive;
     use crate::launcher::{Launcher, Means};
     use glam::DQuat;

@@ -305,7 +305,10 @@ impl SystemParts {
                 .into_iter()
                 .chain([("tangential coefficient", rope.tangential), ("screen factor", rope.screen)])
         });
-        let of_sheets = air.sheets.iter().map(|sheet| ("coefficient of a sheet", sheet.coefficient));
+        let of_sheets = air
+            .sheets
+            .iter()
+            .flat_map(|sheet| [("coefficient of a sheet", sheet.coefficient), ("area of a sheet, m^2", sheet.area)]);
         let own = [
             ("density, kg/m^3", air.medium.density(0.0)),
             ("viscosity, Pa s", air.medium.viscosity()),

@@ -32,9 +32,10 @@ fn agree(net: nets::Net, steps: usize) -> Result<usize, TestCaseError> {
     for step in 0..steps {
         readable.step();
         for fused in &mut all {
-            let work = fused.step().rope_work;
+            let sums = fused.step();
             if step > 0 {
-                prop_assert_eq!(work, readable.rope_work);
+                prop_assert_eq!(sums.rope_work, readable.rope_work);
+                prop_assert_eq!(sums.air_work, readable.air_work);
             }
             for node in 0..readable.position.len() {
                 prop_assert_eq!(fused.position(node), readable.position[node], "step {}, node {}", step, node);
@@ -92,25 +93,31 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool, attached: bool) {
+    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool) {
         net.parts.held[held] = true;
         if attached {
             attach(&mut net, held);
         }
         if surrounded {
             net.parts.environment = nets::surroundings();
+        }
+        if stormy && net.parts.mass.len() > 3 {
+            nets::in_a_storm(&mut net);
         }
         prop_assert_eq!(agree(net, 150)?, 0);
     }
 
     #[test]
-    fn they_agree_by_any_law(mut net in nets::any_net_of_any_law(0.05), held in 0usize..3, surrounded: bool, attached: bool) {
+    fn they_agree_by_any_law(mut net in nets::any_net_of_any_law(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool) {
         net.parts.held[held] = true;
         if attached {
             attach(&mut net, held);
         }
         if surrounded {
             net.parts.environment = nets::surroundings();
+        }
+        if stormy && net.parts.mass.len() > 3 {
+            nets::in_a_storm(&mut net);
         }
         agree(net, 150)?;
     }

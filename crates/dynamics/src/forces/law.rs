@@ -238,20 +238,6 @@ pub fn pull_all(
     }
 }
 
-/// Adds the pull of every segment to `force`, N, (nodes,).
-///
-/// Forces on a node are summed over its slots in the layout's order; see [`crate::layout`].
-pub fn add_force(system: &System, pulls: &[Pull], force: &mut [DVec3]) {
-    for block in system.layout().blocks() {
-        let mut left = DVec3::ZERO;
-        for slot in &block.slots {
-            let right = slot.segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
-            force[slot.node] += right - left;
-            left = right;
-        }
-    }
-}
-
 /// The force of the segments before and after a slot on it, N.
 pub fn force_at(system: &System, pulls: &[Pull], at: Address) -> DVec3 {
     let slots = &system.layout().blocks()[at.block].slots;

@@ -12,7 +12,8 @@
 //! | relaxation | [`viscoelastic`] | elastic, rope_damping |
 //! | bars that push | [`strut`] | elastic |
 //! | breaking | [`breaking`] | rupture |
-//! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | none: no step calls them yet |
+//! | drag of ropes, sheets, bodies | [`rope_drag`], [`sheet_drag`], [`body_drag`] | air |
+//! | inertia of the medium around ropes | [`added_mass`] | added_mass |
 //! | weight | [`gravity`] | gravity |
 //! | forces given on nodes | [`load`] | load |
 //! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
@@ -20,6 +21,7 @@
 //!
 //! What joins a few nodes beside ropes is an [`element`]. The ledger ([`crate::energy::Ledger`]) has a field for each channel.
 
+pub mod added_mass;
 pub mod bending;
 pub mod bilinear;
 pub mod body_drag;

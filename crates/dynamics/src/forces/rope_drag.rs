@@ -24,6 +24,10 @@
 
 use glam::DVec3;
 
+use super::rope_tension::{LANES, sum_lanes};
+use crate::layout::Address;
+use crate::system::System;
+
 /// How a round rope drags.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RopeDrag {
@@ -45,7 +49,7 @@ pub fn screen_factor(solidity: f64) -> f64 {
 }
 
 /// Reynolds number from which the normal coefficient needs no more than a square root.
-const PLAIN: f64 = 30.0;
+pub(crate) const PLAIN: f64 = 30.0;
 
 /// Normal coefficient of a round rope; any where `reynolds` is zero, as there is no force.
 pub fn normal_coefficient(reynolds: f64) -> f64 {
@@ -62,23 +66,122 @@ pub fn normal_coefficient(reynolds: f64) -> f64 {
 }
 
 #[inline(always)]
-fn plain_coefficient(reynolds: f64) -> f64 {
+pub(crate) fn plain_coefficient(reynolds: f64) -> f64 {
     1.1 + 4.0 / reynolds.sqrt()
 }
 
+/// The wind as a segment meets it, m/s: its parts across the segment and along it, and how fast they are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Met {
+    normal: [f64; 3],
+    pub across: f64,
+    tangential: [f64; 3],
+    along: f64,
+}
+
+/// Keeps a division finite where two nodes coincide; all wind is across such a segment.
+const LEAST_LENGTH_SQUARED: f64 = 1e-200;
+
+impl Met {
+    /// By a segment that spans `span`, m, in a wind of `relative` to it, m/s.
+    #[inline(always)]
+    pub fn new(span: [f64; 3], relative: [f64; 3]) -> Met {
+        let square = dot(span, span);
+        let bounded = if square > LEAST_LENGTH_SQUARED { square } else { LEAST_LENGTH_SQUARED };
+        let share = dot(relative, span) / bounded;
+        let tangential = [share * span[0], share * span[1], share * span[2]];
+        let normal = [relative[0] - tangential[0], relative[1] - tangential[1], relative[2] - tangential[2]];
+        Met { normal, across: dot(normal, normal).sqrt(), tangential, along: dot(tangential, tangential).sqrt() }
+    }
+
+    /// Force, N, on an area d L0 such that 1/2 rho d L0 = `per_pressure`, kg/m.
+    #[inline(always)]
+    pub fn force(&self, normal_coefficient: f64, tangential_coefficient: f64, per_pressure: f64) -> [f64; 3] {
+        let normal = per_pressure * (normal_coefficient * self.across);
+        let tangential = per_pressure * (tangential_coefficient * self.along);
+        std::array::from_fn(|k| normal * self.normal[k] + tangential * self.tangential[k])
+    }
+}
+
+#[inline(always)]
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 impl RopeDrag {
+    /// Normal coefficient, that of the screen included, at a Reynolds number.
+    pub fn coefficient(&self, reynolds: f64) -> f64 {
+        self.screen * self.normal.unwrap_or_else(|| normal_coefficient(reynolds))
+    }
+
+    /// The area d L0 / 4 of a segment of this rest length, m: with the density that of half its 1/2 rho d L0, for half
+    /// of its drag is on each of its ends.
+    pub(crate) fn half_area(&self, rest_length: f64) -> f64 {
+        0.25 * self.diameter * rest_length
+    }
+
     /// Force on a segment, N, that spans `span`, m, in a wind of `relative` to it, m/s. `rest_length` in m, `density` in
     /// kg/m^3, `viscosity` in Pa s.
     pub fn force(&self, span: DVec3, relative: DVec3, rest_length: f64, density: f64, viscosity: f64) -> DVec3 {
-        let along = span.normalize_or_zero();
-        let tangential = relative.dot(along) * along;
-        let normal = relative - tangential;
-        let across = normal.length();
-        let coefficient =
-            self.normal.unwrap_or_else(|| normal_coefficient(density * across * self.diameter / viscosity));
-        let pressure = 0.5 * density * self.diameter * rest_length;
-        pressure * (coefficient * across * normal + self.tangential * tangential.length() * tangential)
+        2.0 * self.half_force(span, relative, rest_length, density, viscosity)
     }
+
+    /// Half of it.
+    pub(crate) fn half_force(
+        &self,
+        span: DVec3,
+        relative: DVec3,
+        rest_length: f64,
+        density: f64,
+        viscosity: f64,
+    ) -> DVec3 {
+        let met = Met::new(span.into(), relative.into());
+        let coefficient = self.coefficient(density * met.across * (self.diameter / viscosity));
+        met.force(coefficient, self.tangential, density * self.half_area(rest_length)).into()
+    }
+}
+
+/// Before there were any forces: nothing for each segment, (segments,); empty where there is no air.
+pub(crate) fn none(system: &System) -> Vec<(DVec3, DVec3)> {
+    let segments = if system.environment().air.is_some() { system.segments().len() } else { 0 };
+    vec![(DVec3::ZERO, DVec3::ZERO); segments]
+}
+
+/// Writes half the drag of every segment, N, and its middle, m, to `drags`, (segments,), and returns the work done on
+/// the air since those that were there, J. `broken` segments do not drag.
+pub(crate) fn drag_all(
+    system: &System,
+    time: f64,
+    position: &[DVec3],
+    velocity: &[DVec3],
+    broken: &[bool],
+    drags: &mut [(DVec3, DVec3)],
+) -> f64 {
+    let Some(air) = &system.environment().air else { return 0.0 };
+    let (gust, viscosity, mut sum) = (air.wind.fluctuation.at(time), air.medium.viscosity(), 0.0);
+    for block in system.layout().blocks() {
+        let Some(rope) = air.ropes.get(block.class).copied().flatten() else { continue };
+        let mut lanes = [0.0; LANES];
+        for (i, pair) in block.slots.windows(2).enumerate() {
+            let Some(index) = pair[0].segment else { continue };
+            let [a, b] = [pair[0].node, pair[1].node];
+            let (middle, mean) = (0.5 * (position[a] + position[b]), 0.5 * (velocity[a] + velocity[b]));
+            let rest_length = if broken[index] { 0.0 } else { system.segments()[index].rest_length };
+            let (relative, density) = (air.wind(middle.z, gust) - mean, air.medium.density(middle.z));
+            let half = rope.half_force(position[b] - position[a], relative, rest_length, density, viscosity);
+            let (last_half, last_middle) = std::mem::replace(&mut drags[index], (half, middle));
+            lanes[i % LANES] -= (last_half + half).dot(middle - last_middle);
+        }
+        sum += sum_lanes(lanes);
+    }
+    sum
+}
+
+/// The drag that a slot has of the segments before and after it, N.
+pub(crate) fn force_at(system: &System, drags: &[(DVec3, DVec3)], at: Address) -> DVec3 {
+    let slots = &system.layout().blocks()[at.block].slots;
+    let half = |slot: usize| slots[slot].segment.and_then(|index| drags.get(index)).map_or(DVec3::ZERO, |drag| drag.0);
+    at.slot.checked_sub(1).map_or(DVec3::ZERO, half) + half(at.slot)
 }
 
 #[cfg(test)]

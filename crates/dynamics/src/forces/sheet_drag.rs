@@ -21,6 +21,8 @@ pub struct SheetDrag {
     pub nodes: [usize; 3],
     /// Coefficient with the porosity taken off.
     pub coefficient: f64,
+    /// Area at rest, m^2: for the bound on the step; the force is that of the area as it is.
+    pub area: f64,
 }
 
 /// Force on a triangle with corners at `x`, m, that move at `v`, m/s, in a `wind`, m/s: N, a third of it on each corner.

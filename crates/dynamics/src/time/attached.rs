@@ -15,15 +15,13 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::StepFactors;
+use super::airborne::{Airborne, as_seen};
 use super::elements::Elements;
 use super::launching::{Launching, Phase, Thrust, thrust};
 use super::step::Team;
 use crate::body::{Body, Rotation};
-use crate::forces::bending::Bending;
 use crate::forces::element::Element;
-use crate::forces::hinge::Hinge;
 use crate::forces::load;
-use crate::forces::membrane::Membrane;
 use crate::launcher::Means;
 use crate::state::State;
 use crate::system::System;
@@ -58,9 +56,10 @@ pub(super) struct Attached<'a> {
     /// a node of a sheet has six triangles and twelve hinges.
     of_elements: Vec<usize>,
     moving: Vec<(DVec3, DVec3)>,
-    bends: Elements<'a, Bending, 3>,
-    membranes: Elements<'a, Membrane, 3>,
-    hinges: Elements<'a, Hinge, 4>,
+    bends: Elements<3>,
+    membranes: Elements<3>,
+    hinges: Elements<4>,
+    airborne: Option<Airborne<'a>>,
     turning: Vec<Turning>,
     /// Torque on each body at the last forces, N m.
     torque: Vec<DVec3>,
@@ -99,6 +98,10 @@ pub struct AttachedSums {
     pub sheet_work: f64,
     /// Work that the net has done on its launchers, J.
     pub launch_work: f64,
+    /// Work that sheets and bodies have done on the air, J.
+    pub air_work: f64,
+    /// Work done on the inertia of the medium, J.
+    pub added_mass_work: f64,
 }
 
 impl<'a> Attached<'a> {
@@ -113,15 +116,17 @@ impl<'a> Attached<'a> {
         let elements = system.bends().len() + system.membranes().len() + system.hinges().len();
         let moved = system.bodies().len() + system.drives().len() + system.launchers().len();
         let body_at = |node: usize| system.bodies().iter().position(|body| body.centre == node);
-        (elements + system.loads().len() + moved > 0).then(|| Attached {
+        let airborne = Airborne::new(system);
+        (elements + system.loads().len() + moved > 0 || airborne.is_some()).then(|| Attached {
             system,
             factors,
             force: vec![DVec3::ZERO; system.mass().len()],
-            of_elements: BTreeSet::from_iter(element_nodes(system)).into_iter().collect(),
+            of_elements: of_elements(system),
             moving: vec![(DVec3::ZERO, DVec3::ZERO); system.mass().len()],
-            bends: Elements::new(system.bends()),
-            membranes: Elements::new(system.membranes()),
-            hinges: Elements::new(system.hinges()),
+            bends: Elements::new(system.bends().iter().map(Element::nodes).collect()),
+            membranes: Elements::new(system.membranes().iter().map(Element::nodes).collect()),
+            hinges: Elements::new(system.hinges().iter().map(Element::nodes).collect()),
+            airborne,
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
             loaded: vec![(DVec3::ZERO, DVec3::ZERO); system.loads().len()],
@@ -177,16 +182,15 @@ impl<'a> Attached<'a> {
         let loads = system.loads().iter().map(|load| load.node);
         let centres = system.bodies().iter().map(|body| body.centre);
         let launched = system.launchers().iter().map(|launcher| launcher.node);
-        element_nodes(system).chain(loads).chain(centres).chain(launched)
+        element_nodes(system).chain(loads).chain(centres).chain(launched).chain(Airborne::touched(system))
     }
 
     /// The forces of loads and elements at `time`, s. `node` tells where a node is and how it moves.
     pub fn act(&mut self, team: &Team, time: f64, node: impl Fn(usize) -> Moving + Sync) {
         for &index in &self.of_elements {
-            let Moving { x, v: _, w } = node(index);
-            self.moving[index] = (x, w);
+            self.moving[index] = as_seen(node(index));
         }
-        let moving = &self.moving;
+        let (system, moving) = (self.system, &self.moving);
         let at = |index: usize| moving[index];
         let force = &mut self.force;
         force.fill(DVec3::ZERO);
@@ -200,16 +204,24 @@ impl<'a> Attached<'a> {
         }
         self.sums = AttachedSums {
             load_work,
-            bending_work: self.bends.pull(team, at, force),
-            sheet_work: self.membranes.pull(team, at, force) + self.hinges.pull(team, at, force),
+            bending_work: self.bends.pull(team, |i, x, w| system.bends()[i].pull(x, w), at, force),
+            sheet_work: self.membranes.pull(team, |i, x, w| system.membranes()[i].pull(x, w), at, force)
+                + self.hinges.pull(team, |i, x, w| system.hinges()[i].pull(x, w), at, force),
             ..AttachedSums::default()
         };
+        if let Some(airborne) = &mut self.airborne {
+            let turned = |body: usize| self.turning[body].half_step.orientation;
+            self.sums.air_work = airborne.drag(team, time, |index| as_seen(node(index)), turned, force);
+        }
     }
 
     /// The force of a body's ties on it, of nodes on their drives, of launchers on their nodes. `pull` tells the force
     /// of ropes on a node, added to what is given; `moving` tells where a node is, and its half-step velocity.
     pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
         let at = |node: usize| moving(node).x;
+        if let Some(airborne) = &mut self.airborne {
+            self.sums.added_mass_work = airborne.take_along(self.system, &pull, at, &mut self.force);
+        }
         for (body, torque) in self.system.bodies().iter().zip(&mut self.torque) {
             *torque = DVec3::ZERO;
             for tie in &body.ties {
@@ -316,6 +328,11 @@ impl<'a> Attached<'a> {
         self.carried.extend(let_go);
         &self.carried
     }
+}
+
+/// The nodes of elements, each once.
+fn of_elements(system: &System) -> Vec<usize> {
+    BTreeSet::from_iter(element_nodes(system)).into_iter().collect()
 }
 
 /// The nodes of elements, as often as they occur.

@@ -10,6 +10,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::attached::Moving;
+use super::dragging::{Breeze, Dragging, drag_pass, meet_pass};
 use super::rupture::{Failing, Strength};
 use crate::forces::law::{Axial, Law, Memory};
 use crate::forces::rope_tension::{self, LANES, sum_lanes};
@@ -28,7 +29,7 @@ pub(super) struct Nodes {
     pub v: Components,
     /// Velocity extrapolated to the step.
     pub w: Components,
-    /// At the home of a knot, the force of its other slots, N; zero elsewhere.
+    /// At the home of a knot, the force of its other slots, N; zero elsewhere. With air, at every slot, its drag as well.
     elsewhere: Components,
     /// Zero where a node is held or has its home in another slot: the pass over nodes then leaves it alone.
     mass: Vec<f64>,
@@ -64,6 +65,8 @@ pub(super) struct Ropes {
     pub rest_length: Vec<f64>,
     pub stiffness: Vec<f64>,
     pub damping: Vec<f64>,
+    /// Their drag, if there is any.
+    pub dragging: Option<Dragging>,
     /// Largest tension, N.
     pub max_tension: f64,
     /// Work lost inside ropes since the pass before, J.
@@ -139,8 +142,21 @@ impl Nodes {
         }
     }
 
-    /// Collects at their homes the forces of knots' other slots, and those `attached` to nodes, N, (nodes,).
-    pub fn collect(&mut self, ropes: &[Ropes], attached: &[DVec3]) {
+    /// Collects at their homes the forces of knots' other slots, those `attached` to nodes, N, (nodes,), and of the
+    /// drag of this `block`.
+    pub fn collect(&mut self, ropes: &[Ropes], attached: &[DVec3], block: usize) {
+        match &ropes[block].dragging {
+            None => self.collect_at_knots(ropes, attached),
+            Some(dragging) => {
+                // what was added at the slots that are no knots stays there else
+                self.elsewhere.iter_mut().for_each(|force| force.fill(0.0));
+                self.collect_at_knots(ropes, attached);
+                dragging.add_to(&mut self.elsewhere);
+            }
+        }
+    }
+
+    fn collect_at_knots(&mut self, ropes: &[Ropes], attached: &[DVec3]) {
         let n = self.mass.len();
         let [fx, fy, fz] = &mut self.elsewhere;
         let (fx, fy, fz) = (&mut fx[..n], &mut fy[..n], &mut fz[..n]);
@@ -165,7 +181,7 @@ impl Nodes {
 
     /// The force of all ropes on the node that has its home in `slot`, N.
     pub fn force(&self, ropes: &Ropes, slot: usize) -> [f64; 3] {
-        let own = ropes.slot_force(slot);
+        let own = ropes.pull_on(slot);
         std::array::from_fn(|axis| self.elsewhere[axis][slot] + own[axis])
     }
 
@@ -205,6 +221,7 @@ impl Ropes {
         let strengths: Vec<_> = segments.iter().map(|s| s.map(|s| (s.rest_length, s.breaking))).collect();
         // lone nodes are of no class
         let law = system.laws().get(plan.class).cloned().unwrap_or_default();
+        let air = system.environment().air.as_ref();
         Ropes {
             class: plan.class,
             memory: if law.remembers() { vec![Memory::default(); filled] } else { Vec::new() },
@@ -216,6 +233,11 @@ impl Ropes {
             length: vec![0.0; filled],
             friction: vec![0.0; filled],
             each: vec![0.0; filled],
+            dragging: air.and_then(|air| {
+                let rope = air.ropes.get(plan.class).copied().flatten()?;
+                let rest_length: Vec<_> = segments.iter().map(|segment| segment.map(|s| s.rest_length)).collect();
+                Some(Dragging::new(rope, air, &rest_length))
+            }),
             rest_length: of_segments(|axial| axial.rest_length),
             stiffness: of_segments(|axial| axial.stiffness),
             damping: of_segments(|axial| axial.damping),
@@ -229,9 +251,13 @@ impl Ropes {
         self.slot_force(slot).into()
     }
 
-    /// Tensions and pulls of all segments, `dt` being the step, s; `moved`, whether one has passed since the forces before.
-    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool) {
+    /// Tensions, pulls and drag of all segments, `dt` being the step, s; `moved`, whether one has passed since the
+    /// forces before.
+    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, breeze: Option<Breeze>) {
         self.let_go(moved);
+        if let Some(breeze) = breeze {
+            self.drag(nodes, vectors, breeze);
+        }
         match self.law {
             Law::Linear => vectors.pull_segments(nodes, self, dt),
             _ => self.pull_by_law(nodes, dt, moved),
@@ -239,9 +265,22 @@ impl Ropes {
         self.yield_to_loads();
     }
 
-    /// The force of a slot's two segments on it, N.
+    /// The force of a slot's two segments on it, their drag included, N.
     #[inline(always)]
     fn slot_force(&self, slot: usize) -> [f64; 3] {
+        let pull = self.pull_on(slot);
+        match &self.dragging {
+            None => pull,
+            Some(dragging) => {
+                let drag = dragging.slot_force(slot);
+                std::array::from_fn(|k| pull[k] + drag[k])
+            }
+        }
+    }
+
+    /// The tensions of a slot's two segments on it, N.
+    #[inline(always)]
+    fn pull_on(&self, slot: usize) -> [f64; 3] {
         let n = self.pull[0].len();
         let [x, y, z] = &self.pull;
         let (x, y, z) = (&x[..n], &y[..n], &z[..n]);
@@ -277,7 +316,7 @@ fn padding(plan: &BlockPlan) -> (usize, usize) {
     (groups * LANES, (groups + 1) * LANES)
 }
 
-fn zeros(length: usize) -> Components {
+pub(super) fn zeros(length: usize) -> Components {
     std::array::from_fn(|_| vec![0.0; length])
 }
 
@@ -443,6 +482,26 @@ impl Vectors {
         }
     }
 
+    /// What the segments of a block meet of the wind.
+    pub(super) fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+        match self {
+            Vectors::Widest => widest::meet_wind(nodes, dragging, breeze),
+            Vectors::Avx2 => avx2::meet_wind(nodes, dragging, breeze),
+            Vectors::Avx => avx::meet_wind(nodes, dragging, breeze),
+            Vectors::Baseline => meet_pass(nodes, dragging, breeze),
+        }
+    }
+
+    /// Drag of all segments of a block.
+    pub(super) fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+        match self {
+            Vectors::Widest => widest::drag_segments(nodes, dragging, breeze),
+            Vectors::Avx2 => avx2::drag_segments(nodes, dragging, breeze),
+            Vectors::Avx => avx::drag_segments(nodes, dragging, breeze),
+            Vectors::Baseline => drag_pass(nodes, dragging, breeze),
+        }
+    }
+
     /// Kick and drift of all nodes that have their home in a block.
     pub(super) fn advance_nodes(self, nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
         match self {
@@ -454,17 +513,27 @@ impl Vectors {
     }
 }
 
-/// The two passes, compiled for each of some targets and for the baseline; which one runs is chosen on the machine.
+/// The passes, compiled for each of some targets and for the baseline; which one runs is chosen on the machine.
 macro_rules! passes {
     ($module:ident: $($target:literal),*) => {
         mod $module {
             use multiversion::multiversion;
 
-            use super::{Nodes, Ropes, StepFactors};
+            use super::{Breeze, Dragging, Nodes, Ropes, StepFactors};
 
             #[multiversion(targets($($target),*))]
             pub fn pull_segments(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
                 super::pull_pass(nodes, ropes, dt);
+            }
+
+            #[multiversion(targets($($target),*))]
+            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+                super::meet_pass(nodes, dragging, breeze);
+            }
+
+            #[multiversion(targets($($target),*))]
+            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+                super::drag_pass(nodes, dragging, breeze);
             }
 
             #[multiversion(targets($($target),*))]

@@ -9,8 +9,9 @@ use crate::forces::element::{Element, Stress};
 const LEAST_FOR_THREADS: usize = 2_000;
 
 /// Elements of one kind.
-pub(super) struct Elements<'a, E, const N: usize> {
-    elements: &'a [E],
+pub(super) struct Elements<const N: usize> {
+    /// The nodes of each.
+    nodes: Vec<[usize; N]>,
     /// What each did at the last forces.
     did: Vec<Did<N>>,
     /// Work that each has lost since the forces before, J.
@@ -24,24 +25,31 @@ struct Did<const N: usize> {
     stress: Stress<N>,
 }
 
-impl<'a, E: Element<N> + Sync, const N: usize> Elements<'a, E, N> {
-    pub fn new(elements: &'a [E]) -> Self {
+impl<const N: usize> Elements<N> {
+    /// Elements between these nodes.
+    pub fn new(nodes: Vec<[usize; N]>) -> Self {
         let nothing = Stress { elastic: [DVec3::ZERO; N], friction: [DVec3::ZERO; N] };
-        let did = vec![Did { place: [DVec3::ZERO; N], stress: nothing }; elements.len()];
-        Elements { elements, did, work: vec![0.0; elements.len()] }
+        let did = vec![Did { place: [DVec3::ZERO; N], stress: nothing }; nodes.len()];
+        Elements { did, work: vec![0.0; nodes.len()], nodes }
     }
 
     /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their friction since the forces
-    /// before, J: force times way, by the trapezoidal rule, as for ropes. `at` tells where a node is and how it moves.
-    pub fn pull(&mut self, team: &Team, at: impl Fn(usize) -> (DVec3, DVec3) + Sync, force: &mut [DVec3]) -> f64 {
-        let elements = self.elements;
+    /// before, J: force times way, by the trapezoidal rule, as for ropes. `stress` tells what an element does whose nodes
+    /// are somewhere and move; `at` where a node is and how it moves.
+    pub fn pull(
+        &mut self,
+        team: &Team,
+        stress: impl Fn(usize, [DVec3; N], [DVec3; N]) -> Stress<N> + Sync,
+        at: impl Fn(usize) -> (DVec3, DVec3) + Sync,
+        force: &mut [DVec3],
+    ) -> f64 {
+        let nodes = &self.nodes;
         let alone = Team::default();
-        let team = if elements.len() < LEAST_FOR_THREADS { &alone } else { team };
+        let team = if nodes.len() < LEAST_FOR_THREADS { &alone } else { team };
         team.for_each(&mut self.did, &mut self.work, |index, did, work| {
-            let element = &elements[index];
-            let nodes = element.nodes().map(&at);
+            let nodes = nodes[index].map(&at);
             let place = nodes.map(|(x, _)| x);
-            let stress = element.pull(place, nodes.map(|(_, w)| w));
+            let stress = stress(index, place, nodes.map(|(_, w)| w));
             *work = 0.0;
             for k in 0..N {
                 let mean = 0.5 * (did.stress.friction[k] + stress.friction[k]);
@@ -49,8 +57,8 @@ impl<'a, E: Element<N> + Sync, const N: usize> Elements<'a, E, N> {
             }
             *did = Did { place, stress };
         });
-        for (element, did) in elements.iter().zip(&self.did) {
-            for (k, node) in element.nodes().into_iter().enumerate() {
+        for (nodes, did) in nodes.iter().zip(&self.did) {
+            for (k, &node) in nodes.iter().enumerate() {
                 force[node] += did.stress.elastic[k] + did.stress.friction[k];
             }
         }

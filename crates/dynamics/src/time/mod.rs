@@ -13,8 +13,10 @@
 //! internal damping. The velocity *at* n is the mean of its two neighbours. (Hairer, Lubich, Wanner, Geometric
 //! Numerical Integration, 2006, section I.1.4; Verlet 1967.)
 
+mod airborne;
 pub mod attached;
 mod blocks;
+mod dragging;
 pub(crate) mod elements;
 pub mod launching;
 mod lawful;

@@ -10,6 +10,7 @@ use super::launching::Launching;
 use super::step::Team;
 use crate::forces::gravity;
 use crate::forces::law::{self, RopeState};
+use crate::forces::rope_drag;
 use crate::forces::rope_tension::Pull;
 use crate::layout::Address;
 use crate::state::State;
@@ -29,6 +30,10 @@ pub struct Readable<'a> {
     pub pulls: Vec<Pull>,
     /// Work lost inside ropes between the last two forces, J.
     pub rope_work: f64,
+    /// Half the drag of each segment, N, and its middle, m, at the last forces; (segments,), or empty without air.
+    drags: Vec<(DVec3, DVec3)>,
+    /// Work done on the air between the last two forces, J.
+    pub air_work: f64,
     attached: Option<Attached<'a>>,
     /// All slots of each node, (nodes,).
     slots: Vec<Vec<Address>>,
@@ -56,6 +61,8 @@ impl<'a> Readable<'a> {
             velocity,
             pulls: vec![Pull::NONE; system.segments().len()],
             rope_work: 0.0,
+            drags: rope_drag::none(system),
+            air_work: 0.0,
             ropes,
             failing: Vec::new(),
             moved: false,
@@ -101,13 +108,16 @@ impl<'a> Readable<'a> {
         let elapsed = if self.moved { dt } else { 0.0 };
         law::pull_all(system, x, w, dt, elapsed, &mut self.ropes, &mut self.pulls);
         self.rope_work = law::lost_work(system, &before, &self.pulls);
+        let time = self.taken as f64 * dt;
+        self.air_work = rope_drag::drag_all(system, time, x, w, &self.ropes.broken, &mut self.drags);
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
             let velocity = &mut self.velocity;
             let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
-            attached.act(&Team::default(), self.taken as f64 * dt, moving);
-            let pull_at = |at: &Address| law::force_at(system, &self.pulls, *at);
+            attached.act(&Team::default(), time, moving);
+            let (pulls, drags) = (&self.pulls, &self.drags);
+            let pull_at = |at: &Address| law::force_at(system, pulls, *at) + rope_drag::force_at(system, drags, *at);
             attached.couple(
                 |node, force| self.slots[node].iter().map(pull_at).fold(force, |force, pull| force + pull),
                 moving,
@@ -115,12 +125,31 @@ impl<'a> Readable<'a> {
             force.copy_from_slice(attached.force());
             attached.let_go().iter().for_each(|&(node, before)| velocity[node] = before);
             self.rope_work += attached.sums().bending_work;
+            self.air_work += attached.sums().air_work;
         }
-        law::add_force(system, &self.pulls, &mut force);
+        self.add_ropes(&mut force);
         self.moved = false;
         self.fail();
         gravity::add_force(system.environment().gravity, system.mass(), &mut force);
         force.iter().zip(system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
+    }
+
+    /// Adds tension and drag of segments to `force`, N, (nodes,), slot by slot in the layout's order; see
+    /// [`crate::layout`].
+    fn add_ropes(&self, force: &mut [DVec3]) {
+        let layout = self.system.layout();
+        for (block, plan) in layout.blocks().iter().enumerate() {
+            for (slot, content) in plan.slots.iter().enumerate() {
+                let (at, force) = (Address { block, slot }, &mut force[content.node]);
+                let pull = law::force_at(self.system, &self.pulls, at);
+                let drag = rope_drag::force_at(self.system, &self.drags, at);
+                // at home the drag goes with what came from elsewhere
+                *force = match at == layout.homes()[content.node] {
+                    true => (*force + drag) + pull,
+                    false => *force + (pull + drag),
+                };
+            }
+        }
     }
 
     /// Finds the segments that break under the tensions just computed.

@@ -54,6 +54,7 @@ impl Ropes {
     pub fn remove(&mut self, slot: usize) {
         let Axial { rest_length, stiffness, damping } = Axial::GONE;
         (self.rest_length[slot], self.stiffness[slot], self.damping[slot]) = (rest_length, stiffness, damping);
+        self.dragging.iter_mut().for_each(|dragging| dragging.remove(slot));
         let Strength { load, length, least_load, least_length } = &mut self.strength;
         (load[slot], length[slot]) = (f64::INFINITY, f64::INFINITY);
         (*least_load, *least_length) = (least(load), least(length));

@@ -9,6 +9,7 @@ use super::StepFactors;
 use super::attached::{Attached, AttachedSums, Moving, Turning, carried_velocities, started};
 pub use super::blocks::Vectors;
 use super::blocks::{Nodes, Ropes, Told, blocks};
+use super::dragging::Breeze;
 use super::launching::Launching;
 use super::rupture::Failing;
 use crate::forces::law::RopeState;
@@ -111,6 +112,10 @@ pub struct StepSums {
     pub failing: usize,
     /// Work done on launchers since the forces before, J.
     pub launch_work: f64,
+    /// Work done on the air since the forces before, J.
+    pub air_work: f64,
+    /// Work done on the medium's inertia since the forces before, J.
+    pub added_mass_work: f64,
 }
 
 /// A net in motion.
@@ -307,7 +312,9 @@ impl<'a> Stepper<'a> {
     pub fn forces(&mut self) -> StepSums {
         self.pull();
         let (ropes, attached) = (&self.ropes, self.attached.as_ref().map_or(&[][..], Attached::force));
-        self.team.for_each(&mut self.nodes, &mut self.told, |_, nodes, _| nodes.collect(ropes, attached));
+        self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, _| {
+            nodes.collect(ropes, attached, block);
+        });
         self.sums()
     }
 
@@ -316,7 +323,7 @@ impl<'a> Stepper<'a> {
         let (factors, gravity, ropes, vectors) = (self.factors, self.gravity, &self.ropes, self.vectors);
         let attached = self.attached.as_ref().map_or(&[][..], Attached::force);
         self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
-            nodes.collect(ropes, attached);
+            nodes.collect(ropes, attached, block);
             vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
             nodes.tell(told);
         });
@@ -328,15 +335,17 @@ impl<'a> Stepper<'a> {
 
     fn pull(&mut self) {
         let (dt, told, vectors, moved) = (self.factors.dt, &self.told, self.vectors, self.moved);
+        let time = self.taken as f64 * dt;
+        let breeze = self.system.environment().air.as_ref().map(|air| Breeze::at(air, time));
         self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
             nodes.hear(told);
-            ropes.forces(nodes, vectors, dt, moved);
+            ropes.forces(nodes, vectors, dt, moved, breeze);
         });
         self.moved = false;
         let Some(attached) = &mut self.attached else { return };
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
-        attached.act(&self.team, self.taken as f64 * dt, moving);
+        attached.act(&self.team, time, moving);
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
             moving,
@@ -359,8 +368,16 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { load_work, drive_work, turning, bending_work, sheet_work, launch_work } =
-            self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
+        let AttachedSums {
+            load_work,
+            drive_work,
+            turning,
+            bending_work,
+            sheet_work,
+            launch_work,
+            air_work,
+            added_mass_work,
+        } = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
             mass_power: self.system.environment().mass_damping * (squares + turning),
@@ -369,6 +386,9 @@ impl<'a> Stepper<'a> {
             sheet_work,
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
             launch_work,
+            air_work: self.ropes.iter().filter_map(|ropes| ropes.dragging.as_ref()).map(|drag| drag.work).sum::<f64>()
+                + air_work,
+            added_mass_work,
         }
     }
 

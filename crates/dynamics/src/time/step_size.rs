@@ -15,6 +15,7 @@
 //! ```
 //!
 //! k is the largest stiffness that the segment's law can show ([`Law::largest_stiffness`](crate::forces::law::Law)).
+//! Drag at the fastest wind that is expected, of slope c, is a damper between a node and the world: it counts once.
 //! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact:
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
@@ -80,6 +81,9 @@ impl Meeting {
                     at.add(body.centre, stiffness, damping, what);
                 }
             }
+        }
+        if let Some(air) = &system.environment().air {
+            air.damping(system, |node, damping| at.damping[node] += 0.5 * damping);
         }
         // a spring between the launcher and its node: counted once, where one between two nodes counts twice
         for launcher in system.launchers() {

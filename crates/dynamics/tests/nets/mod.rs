@@ -4,11 +4,17 @@
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
+use netcast_dynamics::air::atmosphere::Medium;
+use netcast_dynamics::air::wind::{Series, Wind, power_law};
+use netcast_dynamics::air::{Air, Attitude, BodyDrag};
 use netcast_dynamics::body::{Body, Tie};
 use netcast_dynamics::forces::bilinear::Bilinear;
+use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_dynamics::forces::rope_tension::damping_from_ratio;
+use netcast_dynamics::forces::sheet_drag::SheetDrag;
 use netcast_dynamics::forces::tabulated::Tabulated;
 use netcast_dynamics::forces::viscoelastic::Viscoelastic;
 use netcast_dynamics::simulate::{Frame, Live, Observer};
@@ -155,6 +161,41 @@ pub fn any_net(damping_ratio: f64) -> impl Strategy<Value = Net> {
 /// Standard gravity in a slanted direction and damping of 3 1/s.
 pub fn surroundings() -> Environment {
     Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0, ..Environment::default() }
+}
+
+/// A stormy, watery air around `net`, in which all of it drags but every third class: its ropes, triangles between
+/// knots, its bodies and a few nodes.
+pub fn in_a_storm(net: &mut Net) {
+    let mean = power_law(15.0, 10.0, 0.2, 1.5, 20.0);
+    let fluctuation = Series { first: 0.0, spacing: 1e-3, values: (0..40).map(wobble).collect() };
+    let wind = Wind { direction: DVec3::new(0.6, 0.8, 0.0), mean, fluctuation };
+    let rope = RopeDrag { diameter: 0.01, normal: None, tangential: 0.02, screen: 1.4 };
+    let drag = |class: usize| match class % 3 {
+        0 => Some(rope),
+        1 => Some(RopeDrag { normal: Some(1.2), screen: 1.0, ..rope }),
+        _ => None,
+    };
+    let body = |(index, body): (usize, &Body)| BodyDrag {
+        node: body.centre,
+        attitude: Attitude::Body(index),
+        shape: Shape::Cylinder { diameter: 0.1, height: 0.2 },
+    };
+    let fixed = BodyDrag { node: 1, attitude: Attitude::Fixed(DQuat::IDENTITY), shape: Shape::Sphere(0.1) };
+    net.parts.environment.air = Some(Air {
+        ropes: (0..net.parts.laws.len()).map(drag).collect(),
+        sheets: vec![
+            SheetDrag { nodes: [0, 1, 2], coefficient: 1.17, area: 0.5 },
+            SheetDrag { nodes: [2, 3, 1], coefficient: 0.5, area: 0.5 },
+        ],
+        bodies: net.parts.bodies.iter().enumerate().map(body).chain([fixed]).collect(),
+        added_mass: 1.0,
+        fastest: 100.0,
+        ..Air::new(Medium::uniform(50.0, 1e-3), wind)
+    });
+}
+
+fn wobble(i: i32) -> DVec3 {
+    DVec3::new(f64::from(i % 7), f64::from(i % 5) - 2.0, f64::from(i % 3))
 }
 
 /// One of every law.

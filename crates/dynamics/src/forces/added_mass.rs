@@ -1,0 +1,67 @@
+//! Added mass: the medium that a rope takes along when it moves across its length.
+//!
+//! ```text
+//! M a = F,    M = (m + sum s) 1 - sum s t t^T,    s = C_a rho (pi d^2 / 4) L0 / 2
+//! ```
+//!
+//! at a node of mass m, summed over the segments that meet there; t is a segment's direction, s the mass that half of
+//! it takes along, C_a = 1 for a circle (Lamb, Hydrodynamics, 1932, art. 68). It is the founding paper's eqs. (13) to
+//! (16) with their matrices in the right order, node by node; docs/theory/air.md. Beside the other forces F it acts as
+//! one more, f = m a - F, whose work is told: so M may turn with the rope. The medium itself is taken not to
+//! accelerate. In air it is 0.07 % of a rope's mass, in water half of it and more.
+
+use glam::{DMat3, DVec3};
+
+use crate::air::Air;
+use crate::system::System;
+
+/// A segment that meets others at a node: its other end, its number, and the mass that half of it takes along, kg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arm {
+    pub to: usize,
+    pub segment: usize,
+    pub taken_along: f64,
+}
+
+/// The segments that take mass along at each node that has mass of its own, (nodes,).
+pub(crate) fn arms(system: &System, air: &Air) -> Vec<Vec<Arm>> {
+    let mut arms = vec![Vec::new(); system.mass().len()];
+    let displaced = air.added_mass * air.medium.density(0.0) * std::f64::consts::FRAC_PI_4;
+    for (segment, s) in system.segments().iter().enumerate() {
+        let Some(rope) = air.ropes[s.class].filter(|_| air.added_mass > 0.0) else { continue };
+        let taken_along = 0.5 * displaced * rope.diameter * rope.diameter * s.rest_length;
+        for end in s.ends {
+            if system.mass()[end] > 0.0 && !system.held()[end] {
+                arms[end].push(Arm { to: s.other_end(end), segment, taken_along });
+            }
+        }
+    }
+    arms
+}
+
+/// The force of the medium's inertia, N, on a node of `mass`, kg, on which the others sum to `force`, N. `taken_along`:
+/// each segment's mass, kg, and span, m.
+pub fn force(mass: f64, force: DVec3, taken_along: impl Iterator<Item = (f64, DVec3)>) -> DVec3 {
+    let mut matrix = DMat3::from_diagonal(DVec3::splat(mass));
+    for (s, span) in taken_along {
+        let t = span.normalize_or_zero();
+        matrix += s * (DMat3::IDENTITY - DMat3::from_cols(t * t.x, t * t.y, t * t.z));
+    }
+    mass * (matrix.inverse() * force) - force
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_straight_rope_is_heavier_across_and_not_along() {
+        let arms = || [(0.5, DVec3::X), (0.5, -2.0 * DVec3::X)].into_iter();
+        let across = force(1.0, DVec3::Y, arms());
+        assert!((across + 0.5 * DVec3::Y).length() < 1e-15, "{across}");
+        assert!(force(1.0, DVec3::X, arms()).length() < 1e-15);
+        // aslant: each part by its own mass
+        let aslant = force(1.0, DVec3::new(3.0, 4.0, 0.0), arms());
+        assert!((aslant - DVec3::new(0.0, -2.0, 0.0)).length() < 1e-15, "{aslant}");
+    }
+}

@@ -1,0 +1,201 @@
+//! The pass over a block whose ropes drag: half of a segment's drag acts on each of its ends.
+//!
+//! Two loops with vectors, and one without between them for the few segments that are slow: their coefficient takes a
+//! power. Positions and velocities are those that tensions see.
+
+use super::blocks::{Components, Nodes, Ropes, Vectors, sum, zeros};
+use crate::air::Air;
+use crate::forces::rope_drag::{Met, PLAIN, RopeDrag, normal_coefficient, plain_coefficient};
+
+/// The air at one time.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Breeze<'a> {
+    pub air: &'a Air,
+    /// What is added to the mean wind now, m/s.
+    pub gust: [f64; 3],
+}
+
+impl<'a> Breeze<'a> {
+    /// The air at `time`, s.
+    pub fn at(air: &'a Air, time: f64) -> Breeze<'a> {
+        Breeze { air, gust: air.wind.fluctuation.at(time).into() }
+    }
+}
+
+/// The drag of the segments of a block.
+#[derive(Debug, Clone)]
+pub(super) struct Dragging {
+    rope: RopeDrag,
+    /// d L0 / 4 of each slot's segment, m^2; zero where there is none, or none any more.
+    half_area: Vec<f64>,
+    /// Half the drag of the segment *before* each slot, N: entry i + 1 belongs to segment i, entry 0 is zero.
+    half: Components,
+    /// The middle of each segment at the pass before, m.
+    middle: Components,
+    /// Mean wind at each segment, m/s.
+    mean: Vec<f64>,
+    /// Scratch: density, and the normal coefficient or before it the Reynolds number, of each segment.
+    density: Vec<f64>,
+    coefficient: Vec<f64>,
+    /// Work done on the air by each segment, and by all, since the pass before, J.
+    each: Vec<f64>,
+    pub work: f64,
+}
+
+impl Dragging {
+    /// Of segments with these rest lengths, m, (slots,); none where a slot has no segment.
+    pub fn new(rope: RopeDrag, air: &Air, rest_length: &[Option<f64>]) -> Dragging {
+        let filled = rest_length.len();
+        let area = |rest_length: &Option<f64>| rest_length.map_or(0.0, |length| rope.half_area(length));
+        let components = || zeros(filled);
+        Dragging {
+            rope,
+            half_area: rest_length.iter().map(area).collect(),
+            half: zeros(filled + 1),
+            middle: components(),
+            mean: vec![air.wind.mean.at(0.0); filled],
+            density: vec![0.0; filled],
+            coefficient: vec![0.0; filled],
+            each: vec![0.0; filled],
+            work: 0.0,
+        }
+    }
+
+    /// A slot's share of the drag of its two segments, N.
+    #[inline(always)]
+    pub fn slot_force(&self, slot: usize) -> [f64; 3] {
+        self.half.each_ref().map(|half| half[slot] + half[slot + 1])
+    }
+
+    /// Adds every slot's share to `force`, N, a value a slot for each of x, y, z.
+    pub fn add_to(&self, force: &mut Components) {
+        for (force, half) in force.iter_mut().zip(&self.half) {
+            let n = force.len();
+            let (before, after) = (&half[..n], &half[1..n + 1]);
+            for i in 0..n {
+                force[i] += before[i] + after[i];
+            }
+        }
+    }
+
+    /// The segment of this slot is no more.
+    pub fn remove(&mut self, slot: usize) {
+        self.half_area[slot] = 0.0;
+    }
+
+    /// The mean wind where segments are, if it is not the same everywhere.
+    fn find_wind(&mut self, nodes: &Nodes, air: &Air) {
+        let z = &nodes.x[2];
+        if air.wind.mean.values.len() > 1 {
+            for (i, mean) in self.mean.iter_mut().enumerate() {
+                *mean = air.wind.mean.at(0.5 * (z[i] + z[i + 1]));
+            }
+        }
+    }
+
+    /// The coefficients of slow segments, whose Reynolds numbers are there.
+    fn find_slow(&mut self, reynolds: &[f64]) {
+        for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(reynolds) {
+            if reynolds < PLAIN {
+                *coefficient = self.rope.screen * normal_coefficient(reynolds);
+            }
+        }
+    }
+}
+
+impl Ropes {
+    /// The drag of all segments of the block.
+    pub fn drag(&mut self, nodes: &Nodes, vectors: Vectors, breeze: Breeze) {
+        let Some(dragging) = &mut self.dragging else { return };
+        dragging.find_wind(nodes, breeze.air);
+        match dragging.rope.normal {
+            Some(normal) => {
+                dragging.coefficient.fill(dragging.rope.screen * normal);
+                vectors.meet_wind(nodes, dragging, breeze);
+            }
+            None => {
+                vectors.meet_wind(nodes, dragging, breeze);
+                let reynolds = std::mem::take(&mut dragging.each);
+                dragging.find_slow(&reynolds);
+                dragging.each = reynolds;
+            }
+        }
+        vectors.drag_segments(nodes, dragging, breeze);
+    }
+}
+
+/// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
+#[inline(always)]
+pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+    let Dragging { rope, mean, density, coefficient, each, .. } = dragging;
+    let per_viscosity = rope.diameter / air.medium.viscosity();
+    let by_reynolds = rope.normal.is_none();
+    let n = mean.len();
+    let (mean, density, coefficient, reynolds) = (&mean[..n], &mut density[..n], &mut coefficient[..n], &mut each[..n]);
+    let ([x, y, z], [u, v, w]) = (&nodes.x, &nodes.w);
+    let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
+    let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
+    let direction = air.wind.direction;
+    for i in 0..n {
+        density[i] = air.medium.density(0.5 * (z0[i] + z1[i]));
+        if by_reynolds {
+            let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
+            let velocity = [0.5 * (u0[i] + u1[i]), 0.5 * (v0[i] + v1[i]), 0.5 * (w0[i] + w1[i])];
+            let wind = [direction.x * mean[i], direction.y * mean[i], direction.z * mean[i]];
+            let relative: [f64; 3] = std::array::from_fn(|k| (wind[k] + gust[k]) - velocity[k]);
+            reynolds[i] = density[i] * Met::new(span, relative).across * per_viscosity;
+            coefficient[i] = rope.screen * plain_coefficient(reynolds[i]);
+        }
+    }
+}
+
+/// Drag of every segment, and what it does on its way.
+#[inline(always)]
+pub(super) fn drag_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+    let Dragging { rope, half_area, half, middle, mean, density, coefficient, each, .. } = dragging;
+    let [hx, hy, hz] = half;
+    let [mx, my, mz] = middle;
+    let direction = air.wind.direction.to_array();
+    drag_each(
+        [&nodes.x[0], &nodes.x[1], &nodes.x[2]],
+        [&nodes.w[0], &nodes.w[1], &nodes.w[2]],
+        [half_area, mean, density, coefficient],
+        (rope.tangential, direction, gust),
+        [&mut hx[1..], &mut hy[1..], &mut hz[1..]],
+        [mx, my, mz],
+        each,
+    );
+    dragging.work = sum(&dragging.each);
+}
+
+/// The loop of [`drag_pass`].
+#[inline(always)]
+fn drag_each(
+    [x, y, z]: [&[f64]; 3],
+    [u, v, w]: [&[f64]; 3],
+    [half_area, mean, density, coefficient]: [&[f64]; 4],
+    (tangential, direction, gust): (f64, [f64; 3], [f64; 3]),
+    [hx, hy, hz]: [&mut [f64]; 3],
+    [mx, my, mz]: [&mut [f64]; 3],
+    work: &mut [f64],
+) {
+    let n = work.len();
+    let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
+    let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
+    let (half_area, mean) = (&half_area[..n], &mean[..n]);
+    let (density, coefficient) = (&density[..n], &coefficient[..n]);
+    let (hx, hy, hz, mx, my, mz) = (&mut hx[..n], &mut hy[..n], &mut hz[..n], &mut mx[..n], &mut my[..n], &mut mz[..n]);
+    for i in 0..n {
+        let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
+        let velocity = [0.5 * (u0[i] + u1[i]), 0.5 * (v0[i] + v1[i]), 0.5 * (w0[i] + w1[i])];
+        let wind = [direction[0] * mean[i], direction[1] * mean[i], direction[2] * mean[i]];
+        let relative: [f64; 3] = std::array::from_fn(|k| (wind[k] + gust[k]) - velocity[k]);
+        let half = Met::new(span, relative).force(coefficient[i], tangential, density[i] * half_area[i]);
+        let middle = [0.5 * (x0[i] + x1[i]), 0.5 * (y0[i] + y1[i]), 0.5 * (z0[i] + z1[i])];
+        work[i] = -((hx[i] + half[0]) * (middle[0] - mx[i])
+            + (hy[i] + half[1]) * (middle[1] - my[i])
+            + (hz[i] + half[2]) * (middle[2] - mz[i]));
+        (hx[i], hy[i], hz[i]) = (half[0], half[1], half[2]);
+        (mx[i], my[i], mz[i]) = (middle[0], middle[1], middle[2]);
+    }
+}
