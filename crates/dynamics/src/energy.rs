@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::forces::law::{Axial, RopeState};
 use crate::forces::{gravity, load, mass_damping};
 use crate::state::State;
-use crate::system::System;
+use crate::system::{Environment, System};
 use crate::time::elements;
 use crate::time::step::StepSums;
 
@@ -41,15 +41,24 @@ pub struct Ledger {
     pub air: f64,
     /// Work done on the inertia of the medium around ropes since the start.
     pub added_mass: f64,
+    /// Elastic energy of the ground.
+    pub ground: f64,
+    /// Lost to the ground since the start.
+    pub ground_friction: f64,
+    /// Potential energy beside an orbit, relative to the origin.
+    pub orbit: f64,
 }
 
 impl Ledger {
     /// The energy that follows from a state; of what was lost that is hysteresis.
     pub fn of(system: &System, state: &State, ropes: &RopeState) -> Ledger {
         let State { position, velocity, rotation } = state;
+        let Environment { ground, orbit, .. } = system.environment();
         let mut ledger = Ledger {
             gravity: gravity::energy(system.environment().gravity, system.mass(), position),
             load: load::energy(system.loads(), position),
+            ground: ground.as_ref().map_or(0.0, |ground| ground.energy(system, state)),
+            orbit: orbit.map_or(0.0, |orbit| orbit.energy(system, state)),
             ..Ledger::default()
         };
         for (node, v) in velocity.iter().enumerate() {
@@ -81,7 +90,7 @@ impl Ledger {
 
     /// Every channel with its name. Their sum is constant in a perfect run. Taken apart field by field, so that a new
     /// channel cannot be forgotten here.
-    pub fn channels(&self) -> [(&'static str, f64); 13] {
+    pub fn channels(&self) -> [(&'static str, f64); 16] {
         let Ledger {
             kinetic,
             kinetic_web: _,
@@ -97,6 +106,9 @@ impl Ledger {
             launch,
             air,
             added_mass,
+            ground,
+            ground_friction,
+            orbit,
         } = *self;
         [
             ("kinetic", kinetic),
@@ -112,12 +124,15 @@ impl Ledger {
             ("launch", launch),
             ("air", air),
             ("added_mass", added_mass),
+            ("ground", ground),
+            ("ground_friction", ground_friction),
+            ("orbit", orbit),
         ]
     }
 
     /// What is stored, kinetic and potential.
     pub fn stored(&self) -> f64 {
-        self.kinetic + self.elastic + self.gravity + self.load
+        self.kinetic + self.elastic + self.gravity + self.load + self.ground + self.orbit
     }
 
     /// The sum over all channels.
@@ -159,7 +174,7 @@ impl Balance {
     pub fn add(&mut self, ledger: &Ledger) {
         self.largest_residual = self.largest_residual.max(ledger.residual(&self.start).abs());
         self.largest_mechanical = self.largest_mechanical.max(ledger.stored());
-        self.lowest_weight = self.lowest_weight.min(ledger.gravity + ledger.load);
+        self.lowest_weight = self.lowest_weight.min(ledger.gravity + ledger.load + ledger.orbit);
         self.largest_web = self.largest_web.max(ledger.kinetic_web + ledger.elastic);
     }
 
@@ -205,6 +220,7 @@ pub(crate) struct Losses {
     launch: f64,
     air: f64,
     added_mass: f64,
+    ground: f64,
 }
 
 impl Losses {
@@ -217,6 +233,7 @@ impl Losses {
         self.launch += sums.launch_work;
         self.air += sums.air_work;
         self.added_mass += sums.added_mass_work;
+        self.ground += sums.ground_work;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {
@@ -231,11 +248,22 @@ impl Losses {
     pub fn ledger(&self, system: &System, state: &State, ropes: &RopeState, dt: f64) -> Ledger {
         let mut mass = self.mass;
         mass.add(mass_damping::lost_power(system, state), dt);
-        let Losses { rope: rope_damping, sheet: sheet_damping, rupture, mass: _, load, drive, launch, air, added_mass } =
-            *self;
         let now = Ledger::of(system, state, ropes);
-        let (load, mass_damping) = (now.load - load, mass.value);
-        Ledger { load, rope_damping, sheet_damping, rupture, mass_damping, drive, launch, air, added_mass, ..now }
+        // taken apart, so that what is new cannot be forgotten here
+        let Losses { rope, sheet, rupture, mass: _, load, drive, launch, air, added_mass, ground } = *self;
+        Ledger {
+            load: now.load - load,
+            rope_damping: rope,
+            sheet_damping: sheet,
+            rupture,
+            mass_damping: mass.value,
+            drive,
+            launch,
+            air,
+            added_mass,
+            ground_friction: ground,
+            ..now
+        }
     }
 }
 
@@ -277,7 +305,7 @@ mod tests {
             launchers,
             environment,
         } = SystemParts::default();
-        let Environment { gravity, mass_damping, air } = environment;
+        let Environment { gravity, mass_damping, air, ground, orbit } = environment;
         let channels = [
             ("kinetic", mass.len() + held.len() + tractor.len() + bodies.len()),
             ("elastic", segments.len() + bends.len() + membranes.len() + hinges.len()),
@@ -292,6 +320,9 @@ mod tests {
             ("launch", launchers.len()),
             ("air", air.as_ref().map_or(0, |air| air.ropes.len())),
             ("added_mass", air.as_ref().map_or(0, |air| air.added_mass as usize)),
+            ("ground", ground.as_ref().map_or(0, |ground| ground.nodes.len())),
+            ("ground_friction", ground.as_ref().map_or(0, |ground| ground.hulls.len())),
+            ("orbit", orbit.is_some() as usize),
         ];
         let names = super::Ledger::default().channels().map(|(name, _)| name);
         assert_eq!(channels.map(|(name, _)| name), names);

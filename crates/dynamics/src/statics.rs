@@ -15,7 +15,7 @@
 //! its longest arm.
 //!
 //! The step is that of [`crate::time`], hence every force that it knows, and the same bits on any number of threads.
-//! Wind blows as it does at the start; the drag of the fictitious motion goes with it.
+//! The ground bears and does not rub; an orbit is left out. Wind blows as it does at the start; the drag of the fictitious motion goes with it.
 //! Ropes have the tensions that last ([`Law::lasting`]), and do not break.
 //!
 //! Sources: Cundall, Explicit finite-difference methods in geomechanics, 1976 (kinetic damping); Barnes, Int. J. Space
@@ -28,6 +28,7 @@ use crate::air::{Air, Attitude};
 use crate::body::{Body, Rotation};
 use crate::forces::breaking::Breaking;
 use crate::forces::element::Element;
+use crate::forces::ground::{Footing, Ground, Hull, Spring};
 use crate::forces::law::Law;
 use crate::forces::load::Load;
 use crate::state::State;
@@ -244,6 +245,8 @@ fn fictitious(system: &System, resting: &Resting, turned: &[Rotation]) -> System
             gravity: DVec3::ZERO,
             mass_damping: LEAST_DAMPING,
             air: system.environment().air.as_ref().map(|air| steady(air, &resting.turning, turned)),
+            ground: system.environment().ground.as_ref().map(|ground| smooth(ground, resting)),
+            orbit: None,
         },
     };
     let limiting = limiting_mass(&parts.clone().build().expect("what is left of a system is one"), STEP / STEP_SHARE);
@@ -268,6 +271,22 @@ fn steady(air: &Air, turning: &[usize], turned: &[Rotation]) -> Air {
         }
     }
     air
+}
+
+/// The ground for what moves in a relaxation, where friction would keep what only friction keeps.
+fn smooth(ground: &Ground, resting: &Resting) -> Ground {
+    let slow = |spring: Spring| Spring { damping: FRICTION * spring.stiffness, ..spring };
+    let nodes = ground.nodes.iter().filter(|at| !resting.held[at.node]);
+    let hulls = ground.hulls.iter().filter_map(|hull| {
+        let body = resting.turning.iter().position(|&body| body == hull.body)?;
+        Some(Hull { body, spring: slow(hull.spring), ..*hull })
+    });
+    Ground {
+        friction: 0.0,
+        nodes: nodes.map(|at| Footing { spring: slow(at.spring), ..*at }).collect(),
+        hulls: hulls.collect(),
+        height: ground.height,
+    }
 }
 
 /// A segment with friction that never breaks.

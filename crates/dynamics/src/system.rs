@@ -8,10 +8,12 @@ use crate::drive::Drive;
 use crate::forces::bending::Bending;
 use crate::forces::breaking::Breaking;
 use crate::forces::element::Element;
+use crate::forces::ground::{Ground, Spring};
 use crate::forces::hinge::Hinge;
 use crate::forces::law::Law;
 use crate::forces::load::Load;
 use crate::forces::membrane::Membrane;
+use crate::forces::orbit::Orbit;
 use crate::launcher::Launcher;
 use crate::layout::Layout;
 
@@ -55,6 +57,10 @@ pub struct Environment {
     pub mass_damping: f64,
     /// What drags at it, if anything.
     pub air: Option<Air>,
+    /// What it can land on, if anything.
+    pub ground: Option<Ground>,
+    /// The orbit that it flies beside, if any.
+    pub orbit: Option<Orbit>,
 }
 
 /// The net as a system of ordinary differential equations.
@@ -244,13 +250,20 @@ impl SystemParts {
                 return Err(SystemError::Law { class, what, value });
             }
         }
-        let Environment { gravity, mass_damping, ref air } = self.environment;
+        let Environment { gravity, mass_damping, ref air, ref ground, orbit } = self.environment;
         air.iter().try_for_each(|air| self.check_air(air))?;
+        ground.iter().try_for_each(|ground| self.check_ground(ground))?;
         if !gravity.is_finite() {
             return Err(SystemError::Environment { what: "gravity, m/s^2", value: gravity.length() });
         }
         if !(mass_damping >= 0.0 && mass_damping.is_finite()) {
             return Err(SystemError::Environment { what: "damping, 1/s", value: mass_damping });
+        }
+        let is_unit = |way: DVec3| (way.length_squared() - 1.0).abs() < 1e-9;
+        if let Some(Orbit { mean_motion, radial, along }) = orbit
+            && !(mean_motion >= 0.0 && mean_motion.is_finite() && is_unit(radial) && is_unit(along))
+        {
+            return Err(SystemError::Environment { what: "mean motion, 1/s, or one of its axes", value: mean_motion });
         }
         let mut resting = self.held.clone();
         for drive in &self.drives {
@@ -317,6 +330,26 @@ impl SystemParts {
         ];
         let wrong = of_ropes.chain(of_sheets).chain(own).find(|(_, value)| !(*value >= 0.0 && value.is_finite()));
         wrong.map_or(Ok(()), |(what, value)| Err(SystemError::Environment { what, value }))
+    }
+
+    /// That what the ground touches is there, and its values can be computed with.
+    fn check_ground(&self, ground: &Ground) -> Result<(), SystemError> {
+        let wrong = |what, index, node, why| Err(SystemError::Attached { what, index, node, why });
+        for (index, footing) in ground.nodes.iter().enumerate() {
+            if self.mass.get(footing.node).is_none_or(|&mass| mass == 0.0) {
+                return wrong("contact of the ground", index, footing.node, "does not exist, or has no mass");
+            }
+        }
+        for (index, hull) in ground.hulls.iter().enumerate() {
+            if hull.body >= self.bodies.len() || !hull.arm.is_finite() {
+                return wrong("contact of the ground", index, hull.body, "is no body");
+            }
+        }
+        let springs = ground.nodes.iter().map(|at| at.spring).chain(ground.hulls.iter().map(|hull| hull.spring));
+        let values = springs.flat_map(|Spring { stiffness, damping, mass }| [stiffness, damping, mass]);
+        let wrong =
+            values.chain([ground.friction, ground.height.abs()]).find(|value| !(*value >= 0.0 && value.is_finite()));
+        wrong.map_or(Ok(()), |value| Err(SystemError::Environment { what: "ground, in one of its numbers,", value }))
     }
 
     /// That loads, bodies, drives and launchers have nodes of the right kind, and values that can be computed with.

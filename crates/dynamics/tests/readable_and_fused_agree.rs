@@ -93,7 +93,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool) {
+    fn they_agree(mut net in nets::any_net(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool, landed: bool) {
         net.parts.held[held] = true;
         if attached {
             attach(&mut net, held);
@@ -103,12 +103,15 @@ proptest! {
         }
         if stormy && net.parts.mass.len() > 3 {
             nets::in_a_storm(&mut net);
+        }
+        if landed {
+            nets::on_the_ground_of_a_moon(&mut net);
         }
         prop_assert_eq!(agree(net, 150)?, 0);
     }
 
     #[test]
-    fn they_agree_by_any_law(mut net in nets::any_net_of_any_law(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool) {
+    fn they_agree_by_any_law(mut net in nets::any_net_of_any_law(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool, landed: bool) {
         net.parts.held[held] = true;
         if attached {
             attach(&mut net, held);
@@ -118,6 +121,9 @@ proptest! {
         }
         if stormy && net.parts.mass.len() > 3 {
             nets::in_a_storm(&mut net);
+        }
+        if landed {
+            nets::on_the_ground_of_a_moon(&mut net);
         }
         agree(net, 150)?;
     }

@@ -16,6 +16,8 @@
 //! | inertia of the medium around ropes | [`added_mass`] | added_mass |
 //! | weight | [`gravity`] | gravity |
 //! | forces given on nodes | [`load`] | load |
+//! | ground: contact and friction | [`ground`] | ground, ground_friction |
+//! | an orbit | [`orbit`] | orbit |
 //! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
@@ -31,11 +33,13 @@ mod conformance;
 pub mod element;
 mod fold;
 pub mod gravity;
+pub mod ground;
 pub mod hinge;
 pub mod law;
 pub mod load;
 pub mod mass_damping;
 pub mod membrane;
+pub mod orbit;
 pub mod rope_drag;
 pub mod rope_tension;
 pub mod sheet_drag;

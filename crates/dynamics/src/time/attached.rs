@@ -17,10 +17,12 @@ use serde::{Deserialize, Serialize};
 use super::StepFactors;
 use super::airborne::{Airborne, as_seen};
 use super::elements::Elements;
+use super::grounded::Grounded;
 use super::launching::{Launching, Phase, Thrust, thrust};
 use super::step::Team;
 use crate::body::{Body, Rotation};
 use crate::forces::element::Element;
+use crate::forces::ground::Hull;
 use crate::forces::load;
 use crate::launcher::Means;
 use crate::state::State;
@@ -60,6 +62,7 @@ pub(super) struct Attached<'a> {
     membranes: Elements<3>,
     hinges: Elements<4>,
     airborne: Option<Airborne<'a>>,
+    grounded: Option<Grounded<'a>>,
     turning: Vec<Turning>,
     /// Torque on each body at the last forces, N m.
     torque: Vec<DVec3>,
@@ -102,6 +105,8 @@ pub struct AttachedSums {
     pub air_work: f64,
     /// Work done on the inertia of the medium, J.
     pub added_mass_work: f64,
+    /// Work lost to the ground, J.
+    pub ground_work: f64,
 }
 
 impl<'a> Attached<'a> {
@@ -116,8 +121,9 @@ impl<'a> Attached<'a> {
         let elements = system.bends().len() + system.membranes().len() + system.hinges().len();
         let moved = system.bodies().len() + system.drives().len() + system.launchers().len();
         let body_at = |node: usize| system.bodies().iter().position(|body| body.centre == node);
-        let airborne = Airborne::new(system);
-        (elements + system.loads().len() + moved > 0 || airborne.is_some()).then(|| Attached {
+        let (airborne, grounded) = (Airborne::new(system), Grounded::new(system));
+        let surrounded = airborne.is_some() || grounded.is_some() || system.environment().orbit.is_some();
+        (elements + system.loads().len() + moved > 0 || surrounded).then(|| Attached {
             system,
             factors,
             force: vec![DVec3::ZERO; system.mass().len()],
@@ -127,6 +133,7 @@ impl<'a> Attached<'a> {
             membranes: Elements::new(system.membranes().iter().map(Element::nodes).collect()),
             hinges: Elements::new(system.hinges().iter().map(Element::nodes).collect()),
             airborne,
+            grounded,
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
             loaded: vec![(DVec3::ZERO, DVec3::ZERO); system.loads().len()],
@@ -182,7 +189,9 @@ impl<'a> Attached<'a> {
         let loads = system.loads().iter().map(|load| load.node);
         let centres = system.bodies().iter().map(|body| body.centre);
         let launched = system.launchers().iter().map(|launcher| launcher.node);
-        element_nodes(system).chain(loads).chain(centres).chain(launched).chain(Airborne::touched(system))
+        let everywhere = if system.environment().orbit.is_some() { 0..system.mass().len() } else { 0..0 };
+        let surrounded = Airborne::touched(system).into_iter().chain(Grounded::touched(system)).chain(everywhere);
+        element_nodes(system).chain(loads).chain(centres).chain(launched).chain(surrounded)
     }
 
     /// The forces of loads and elements at `time`, s. `node` tells where a node is and how it moves.
@@ -209,6 +218,15 @@ impl<'a> Attached<'a> {
                 + self.hinges.pull(team, |i, x, w| system.hinges()[i].pull(x, w), at, force),
             ..AttachedSums::default()
         };
+        if let Some(grounded) = &mut self.grounded {
+            self.sums.ground_work = grounded.push(team, self.factors.dt, |index| as_seen(node(index)), force);
+        }
+        if let Some(orbit) = system.environment().orbit {
+            for (index, (force, &mass)) in force.iter_mut().zip(system.mass()).enumerate() {
+                let Moving { x, v: _, w } = node(index);
+                *force += mass * orbit.acceleration(x, w);
+            }
+        }
         if let Some(airborne) = &mut self.airborne {
             let turned = |body: usize| self.turning[body].half_step.orientation;
             self.sums.air_work = airborne.drag(team, time, |index| as_seen(node(index)), turned, force);
@@ -229,6 +247,18 @@ impl<'a> Attached<'a> {
                 self.force[body.centre] += force;
                 *torque += (at(tie.node) - at(body.centre)).cross(force);
             }
+        }
+        if let Some(grounded) = &mut self.grounded {
+            let (system, turning, all, torque) = (self.system, &self.turning, &mut self.force, &mut self.torque);
+            let moving = |hull: &Hull| {
+                let Moving { x, v: _, w } = moving(system.bodies()[hull.body].centre);
+                let Turning { half_step, extrapolated } = turning[hull.body];
+                (x, w, Rotation { angular_momentum: extrapolated, ..half_step })
+            };
+            self.sums.ground_work += grounded.push_hulls(system, self.factors.dt, moving, |hull, arm, force| {
+                all[system.bodies()[hull.body].centre] += force;
+                torque[hull.body] += arm.cross(force);
+            });
         }
         for (drive, (last_force, last_place)) in self.system.drives().iter().zip(&mut self.driven) {
             let (force, place) = (pull(drive.node, self.force[drive.node]), at(drive.node));

@@ -18,6 +18,7 @@ pub mod attached;
 mod blocks;
 mod dragging;
 pub(crate) mod elements;
+mod grounded;
 pub mod launching;
 mod lawful;
 pub mod readable;

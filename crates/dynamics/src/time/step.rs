@@ -116,6 +116,8 @@ pub struct StepSums {
     pub air_work: f64,
     /// Work done on the medium's inertia since the forces before, J.
     pub added_mass_work: f64,
+    /// Work lost to the ground since the forces before, J.
+    pub ground_work: f64,
 }
 
 /// A net in motion.
@@ -377,6 +379,7 @@ impl<'a> Stepper<'a> {
             launch_work,
             air_work,
             added_mass_work,
+            ground_work,
         } = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
@@ -389,6 +392,7 @@ impl<'a> Stepper<'a> {
             air_work: self.ropes.iter().filter_map(|ropes| ropes.dragging.as_ref()).map(|drag| drag.work).sum::<f64>()
                 + air_work,
             added_mass_work,
+            ground_work,
         }
     }
 

@@ -20,6 +20,7 @@
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
 use crate::forces::element::Element;
+use crate::forces::ground::{Ground, Spring};
 use crate::launcher::{Means, Push, Tube};
 use crate::system::System;
 
@@ -82,6 +83,11 @@ impl Meeting {
                 }
             }
         }
+        // what the ground does to a node, too, is between it and the world
+        for (node, spring) in system.environment().ground.iter().flat_map(|ground| footings(system, ground)) {
+            at.stiffness[node] += 0.5 * spring.stiffness;
+            at.damping[node] += 0.5 * spring.damping;
+        }
         if let Some(air) = &system.environment().air {
             air.damping(system, |node, damping| at.damping[node] += 0.5 * damping);
         }
@@ -108,6 +114,18 @@ impl Meeting {
             self.add(node, stiffness[k], damping[k], what);
         }
     }
+}
+
+/// The springs of the ground and the nodes that they push; those of a body as if all pushed at its centre.
+fn footings(system: &System, ground: &Ground) -> Vec<(usize, Spring)> {
+    let nodes = ground.nodes.iter().map(|at| (at.node, at.spring));
+    let hulls = ground.hulls.iter().map(|hull| {
+        let centre = system.bodies()[hull.body].centre;
+        let lever = system.mass()[centre] / hull.spring.mass;
+        let Spring { stiffness, damping, mass } = hull.spring;
+        (centre, Spring { stiffness: lever * stiffness, damping: lever * damping, mass })
+    });
+    nodes.chain(hulls).collect()
 }
 
 /// The mass of each node, kg, (nodes,), at which it would set a limit of `dt` seconds; zero where nothing is stiff.

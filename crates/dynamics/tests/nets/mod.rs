@@ -11,7 +11,9 @@ use netcast_dynamics::body::{Body, Tie};
 use netcast_dynamics::forces::bilinear::Bilinear;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::forces::ground::{Footing, Ground, Hull, Spring};
 use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::orbit::Orbit;
 use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_dynamics::forces::rope_tension::damping_from_ratio;
 use netcast_dynamics::forces::sheet_drag::SheetDrag;
@@ -192,6 +194,25 @@ pub fn in_a_storm(net: &mut Net) {
         fastest: 100.0,
         ..Air::new(Medium::uniform(50.0, 1e-3), wind)
     });
+}
+
+/// Ground among `net` and an orbit around it: every node and the corners of every body touch the one, all feel the other.
+pub fn on_the_ground_of_a_moon(net: &mut Net) {
+    let spring = |mass: f64| Spring::bouncing(mass, 2e-3, 0.3);
+    let has_hull = |node: usize| net.parts.bodies.iter().any(|body| body.centre == node);
+    let heavy = net.parts.mass.iter().enumerate().filter(|(node, mass)| **mass > 0.0 && !has_hull(*node));
+    let hulls = net.parts.bodies.iter().enumerate().flat_map(|(index, body)| {
+        let mass = net.parts.mass[body.centre];
+        [-0.1, 0.1].map(|side| Hull::new(index, body, mass, DVec3::new(side, 0.05, -0.1), spring))
+    });
+    let ground = Ground {
+        height: -0.2,
+        friction: 0.5,
+        nodes: heavy.map(|(node, &mass)| Footing { node, spring: spring(mass) }).collect(),
+        hulls: hulls.collect(),
+    };
+    net.parts.environment.ground = Some(ground);
+    net.parts.environment.orbit = Some(Orbit { mean_motion: 5.0, radial: DVec3::Z, along: DVec3::X });
 }
 
 fn wobble(i: i32) -> DVec3 {
