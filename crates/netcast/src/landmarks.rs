@@ -115,7 +115,7 @@ fn body_mark(body: &PlacedBody) -> BodyMark {
         Shape::Cylinder { diameter_m, height_m } => BodyShape::Cylinder { diameter_m, height_m },
         Shape::Sphere { diameter_m } => BodyShape::Sphere { diameter_m },
         Shape::Box { size_m } => BodyShape::Box { size_m },
-        Shape::Particle => BodyShape::Particle,
+        Shape::Particle { .. } => BodyShape::Particle,
     };
     BodyMark { kind, node: body.node, shape, rigid: body.rigid }
 }

@@ -77,6 +77,8 @@ pub struct Cuboid {
 pub struct Particle {
     /// Mass, kg.
     pub mass: Mass<Positive>,
+    /// Diameter of the sphere that it is to the air, m. Left out: the air passes it by.
+    pub diameter: Option<Length<Positive>>,
 }
 
 /// The density of a body, and the size of a cylinder, for which nothing is given.
@@ -118,7 +120,10 @@ pub enum Shape {
         size_m: [f64; 3],
     },
     /// Nothing.
-    Particle,
+    Particle {
+        /// Diameter of the sphere that it is to the air, m.
+        diameter_m: Option<f64>,
+    },
 }
 
 /// A body with everything that was left out filled in, SI.
@@ -136,7 +141,7 @@ impl Shape {
         match *self {
             Self::Cylinder { diameter_m, .. } | Self::Sphere { diameter_m } => 0.5 * diameter_m,
             Self::Box { size_m: [x, y, _] } => 0.5 * (x * x + y * y).sqrt(),
-            Self::Particle => 0.0,
+            Self::Particle { .. } => 0.0,
         }
     }
 
@@ -146,7 +151,7 @@ impl Shape {
             Self::Cylinder { diameter_m, height_m } => PI / 4.0 * diameter_m * diameter_m * height_m,
             Self::Sphere { diameter_m } => PI / 6.0 * diameter_m * diameter_m * diameter_m,
             Self::Box { size_m: [x, y, z] } => x * y * z,
-            Self::Particle => 0.0,
+            Self::Particle { .. } => 0.0,
         }
     }
 
@@ -162,7 +167,15 @@ impl Shape {
                 let [x, y, z] = size_m.map(|size| size * size / 12.0);
                 Some(DVec3::new(y + z, z + x, x + y))
             }
-            Self::Particle => None,
+            Self::Particle { .. } => None,
+        }
+    }
+
+    /// What the air finds of it: a particle is the sphere of its diameter, or nothing.
+    pub fn in_air(&self) -> Option<Shape> {
+        match *self {
+            Self::Particle { diameter_m } => diameter_m.map(|diameter_m| Self::Sphere { diameter_m }),
+            solid => Some(solid),
         }
     }
 
@@ -172,7 +185,7 @@ impl Shape {
             Self::Cylinder { height_m, .. } => 0.5 * height_m,
             Self::Sphere { diameter_m } => 0.5 * diameter_m,
             Self::Box { size_m: [_, _, z] } => 0.5 * z,
-            Self::Particle => 0.0,
+            Self::Particle { .. } => 0.0,
         }
     }
 }
@@ -188,7 +201,9 @@ impl Body {
     /// The body with `defaults` for what was left out.
     pub(crate) fn solid(&self, defaults: &BodyDefaults) -> Solid {
         let (shape, density, mass) = match self {
-            Self::Particle(particle) => (Shape::Particle, None, Some(particle.mass)),
+            Self::Particle(Particle { mass, diameter }) => {
+                (Shape::Particle { diameter_m: diameter.map(|diameter| diameter.si()) }, None, Some(*mass))
+            }
             Self::Cylinder(Cylinder { diameter, height, density, mass }) => {
                 let diameter_m = diameter.unwrap_or(defaults.diameter).si();
                 let height_m = height.unwrap_or(defaults.height).si();
@@ -269,7 +284,7 @@ mod tests {
             }
             Shape::Sphere { diameter_m: d } => (DVec3::splat(0.5 * d), Box::new(move |x| x.length() < 0.5 * d)),
             Shape::Box { size_m } => (0.5 * DVec3::from_array(size_m), Box::new(|_| true)),
-            Shape::Particle => panic!("it fills nothing"),
+            Shape::Particle { .. } => panic!("it fills nothing"),
         };
         let (mut volume, mut moments) = (0.0, DVec3::ZERO);
         let cell = 8.0 * half.element_product() / f64::from(N * N * N);

@@ -44,6 +44,15 @@ impl Canopy {
         (density * volume, volume)
     }
 
+    /// Open share of its cloth's area.
+    pub fn porosity(&self) -> f64 {
+        match self {
+            Self::Links(CanopyLinks { porosity, .. })
+            | Self::Rigid(CanopyRigid { porosity, .. })
+            | Self::Membrane(CanopyMembrane { porosity, .. }) => porosity.si(),
+        }
+    }
+
     /// Writes the default damping out; forgets the material, whose values stand in their own keys: no other library
     /// can change the canopy.
     pub(crate) fn complete(&mut self) {
@@ -68,6 +77,8 @@ const SIDE: Length<Positive> = Length::constant(0.14);
 const THICKNESS: Length<Positive> = Length::constant(0.01);
 const DENSITY: Density<Positive> = Density::constant(2000.0);
 const ELASTIC_MODULUS: Pressure<Positive> = Pressure::constant(90e9);
+/// No air passes.
+const CLOSED: Number<Fraction> = Number::constant(0.0);
 
 impl Default for Canopy {
     fn default() -> Self {
@@ -95,6 +106,8 @@ pub struct CanopyLinks {
     pub elastic_modulus: Pressure<Positive>,
     /// Damping of the members, as a fraction of critical.
     pub damping_ratio: Number<NonNegative>,
+    /// Open share of the cloth's area, which air passes through freely.
+    pub porosity: Number<Fraction>,
 }
 
 impl Default for CanopyLinks {
@@ -106,6 +119,7 @@ impl Default for CanopyLinks {
             density: DENSITY,
             elastic_modulus: ELASTIC_MODULUS,
             damping_ratio: DAMPING_RATIO,
+            porosity: CLOSED,
         }
     }
 }
@@ -120,11 +134,13 @@ pub struct CanopyRigid {
     pub thickness: Length<Positive>,
     /// Density, kg/m^3.
     pub density: Density<Positive>,
+    /// Open share of the plate's area, which air passes through freely.
+    pub porosity: Number<Fraction>,
 }
 
 impl Default for CanopyRigid {
     fn default() -> Self {
-        Self { side: SIDE, thickness: THICKNESS, density: DENSITY }
+        Self { side: SIDE, thickness: THICKNESS, density: DENSITY, porosity: CLOSED }
     }
 }
 
@@ -172,6 +188,8 @@ pub struct CanopyMembrane {
     pub damping_ratio: Option<Number<NonNegative>>,
     /// Largest stress that the cloth bears, Pa: results then state the margin.
     pub strength: Option<Pressure<Positive>>,
+    /// Open share of the cloth's area, which air passes through freely.
+    pub porosity: Number<Fraction>,
 }
 
 impl Default for CanopyMembrane {
@@ -193,6 +211,7 @@ impl Default for CanopyMembrane {
             damping_time: None,
             damping_ratio: None,
             strength: None,
+            porosity: CLOSED,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The CSV files that a scenario names: the nodes and ropes of `[web.graph]`, the positions of `[stow.file]`, the curves
-//! of `[rope.law.table]`, the force of `[launch.tube]`, the paths of `[drive.NAME]`. All in SI.
+//! of `[rope.law.table]`, the force of `[launch.tube]`, the paths of `[drive.NAME]`, the wind of
+//! `[environment.wind.series]`. All in SI.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroU32;
@@ -265,6 +266,33 @@ pub(crate) fn read_paths(written: &Written, found: &mut Vec<Diagnostic>) -> BTre
         paths.insert(name.to_owned(), rows);
     }
     paths
+}
+
+/// A row of the file of `[environment.wind.series]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindRow {
+    /// Time since the start, s.
+    pub time_s: f64,
+    /// Velocity x, y, z of the air, m/s.
+    pub velocity_m_s: [f64; 3],
+}
+
+/// Reads the file of `[environment.wind.series]`; none where there is none or the file cannot be read.
+pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<WindRow>> {
+    let mut table = CsvTable::read(written, "environment.wind.series.file", &["t", "vx", "vy", "vz"], &[], found)?;
+    if table.is_empty() {
+        found.push(table.whole("no wind"));
+    }
+    let mut before = None;
+    Some(table.rows(found, |cells| {
+        let [time, vx, vy, vz] = ["t", "vx", "vy", "vz"].map(|column| cells.number(column));
+        let row = WindRow { time_s: time?, velocity_m_s: [vx?, vy?, vz?] };
+        if before.is_some_and(|before| row.time_s <= before) {
+            cells.fault_in("t", "t: expected a time after that of the line before".into(), None);
+        }
+        before = Some(row.time_s);
+        Some(row)
+    }))
 }
 
 /// The ids of the nodes, each with its line and its place in the file.

@@ -5,7 +5,8 @@ use std::path::Path as FilePath;
 
 use crate::check;
 use crate::csv_files::{
-    GraphFiles, PathRow, PushRow, RopeTables, StowRow, read_graph, read_paths, read_push, read_rope_tables, read_stow,
+    GraphFiles, PathRow, PushRow, RopeTables, StowRow, WindRow, read_graph, read_paths, read_push, read_rope_tables,
+    read_stow, read_wind,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::library::{self, FromLibrary};
@@ -37,6 +38,8 @@ pub struct Document {
     pub push: Option<Vec<PushRow>>,
     /// The files of `[drive.NAME]`, by name.
     pub paths: BTreeMap<String, Vec<PathRow>>,
+    /// The file of `[environment.wind.series]`.
+    pub wind: Option<Vec<WindRow>>,
 }
 
 impl Document {
@@ -69,11 +72,12 @@ impl Document {
         let rope_tables = read_rope_tables(&written, &mut found);
         let push = read_push(&written, &mut found);
         let paths = read_paths(&written, &mut found);
+        let wind = read_wind(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths })
+        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths, wind })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::air::Air;
 use crate::interval::NonNegative;
 use crate::quantity::{Acceleration, Rate};
+use crate::wind::Wind;
 
 /// `[environment]`
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -14,11 +16,15 @@ pub struct Environment {
     pub gravity: Acceleration<NonNegative>,
     /// Mass-proportional damping, 1/s: every node is slowed by damping x mass x velocity.
     pub damping: Rate<NonNegative>,
+    /// The medium, and how it drags. Left out: none.
+    pub air: Option<Air>,
+    /// How that moves. Left out: not at all.
+    pub wind: Option<Wind>,
 }
 
 impl Default for Environment {
     fn default() -> Self {
-        Self { gravity: Acceleration::constant(STANDARD_GRAVITY), damping: Rate::constant(0.0) }
+        Self { gravity: Acceleration::constant(STANDARD_GRAVITY), damping: Rate::constant(0.0), air: None, wind: None }
     }
 }
 

@@ -104,6 +104,10 @@ intervals! {
     BelowOne: Bound::Excluded(0.0), Bound::Excluded(1.0);
     /// Zero or more, less than one.
     Fraction: Bound::Included(0.0), Bound::Excluded(1.0);
+    /// What ropes may take of the area of a net screen: 0 to 0.7.
+    OpenShare: Bound::Included(0.0), Bound::Included(0.7);
+    /// Heights above the sea in which the standard atmosphere cools evenly: -1 km to 11 km.
+    Troposphere: Bound::Included(-1000.0), Bound::Included(11000.0);
     /// More than nothing and less than half a turn: 0 to 180 deg.
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
     /// From straight down to straight up: -90 deg to 90 deg.

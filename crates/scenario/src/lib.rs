@@ -8,6 +8,8 @@
 //! [`Document::read`] does all of it. The types in [`scenario`] are the single source: the JSON Schema is derived from
 //! them, and the check walks that schema. Their documentation is what editors show.
 
+pub mod air;
+mod air_rules;
 pub mod body;
 pub mod canopy;
 mod check;
@@ -47,6 +49,7 @@ pub mod tree;
 mod unit_table;
 pub mod units;
 pub mod web;
+pub mod wind;
 pub mod written;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Place, Source};

@@ -47,6 +47,8 @@ pub type Force<I = Any> = Quantity<unit::Newton, I>;
 pub type ForcePerLength<I = Any> = Quantity<unit::NewtonPerMetre, I>;
 /// A pressure or elastic modulus, Pa.
 pub type Pressure<I = Any> = Quantity<unit::Pascal, I>;
+/// A dynamic viscosity, Pa s.
+pub type Viscosity<I = Any> = Quantity<unit::PascalSecond, I>;
 /// A bending stiffness of a rope, N m^2.
 pub type BendingStiffness<I = Any> = Quantity<unit::NewtonSquareMetre, I>;
 /// An angle, rad.

@@ -1,5 +1,6 @@
 //! What the schema cannot say: how the parts of a scenario must fit each other.
 
+use crate::air_rules;
 use crate::diagnostic::Diagnostic;
 use crate::nearest::nearest;
 use crate::path::Path;
@@ -18,10 +19,11 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     tractors_are_told_apart(written, &mut found);
     a_run_has_an_end(written, &mut found);
     what_is_loaded_or_driven_is_named(written, &mut found);
+    air_rules::check(written, &mut found);
     found
 }
 
-fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table> {
+pub(crate) fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table> {
     written.tree.get(&Path::parse(path)).and_then(|node| node.value.as_table())
 }
 

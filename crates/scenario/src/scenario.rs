@@ -136,6 +136,8 @@ impl Scenario {
         }
         files.extend(self.launch.as_mut().and_then(Launch::file_mut));
         files.extend(self.drive.values_mut().filter_map(|drive| drive.file.as_mut()));
+        let series = self.environment.wind.as_mut().and_then(|wind| wind.series.as_mut());
+        files.extend(series.map(|series| &mut series.file));
         files
     }
 
@@ -157,6 +159,12 @@ impl Scenario {
         }
         if let Some(canopy) = &mut self.canopy {
             canopy.complete();
+        }
+        if let Some(air) = &mut self.environment.air {
+            air.complete();
+        }
+        if let Some(wind) = &mut self.environment.wind {
+            wind.complete();
         }
         let thickest = self.thickest_rope();
         if let Some(stowage) = &mut self.stow {

@@ -12,7 +12,7 @@ use crate::path::Path;
 use crate::scenario::Scenario;
 
 /// The JSON Schema of a scenario. Beside the standard keywords, `x-dimension` and `x-unit` tell a quantity's kind and
-/// SI unit; `minimum` and its like are in that unit.
+/// SI unit, `x-word` a word that can stand for it; `minimum` and its like are in that unit.
 pub fn schema() -> &'static Value {
     static SCHEMA: LazyLock<Value> = LazyLock::new(generate);
     &SCHEMA

@@ -93,7 +93,7 @@ mass = \"5 kg\"
     let first = scenario.tractor_solid(1).unwrap().mass_kg;
     let second = scenario.tractor_solid(2).unwrap().mass_kg;
     assert!((second / first - 2.0).abs() < 1e-12);
-    assert_eq!(scenario.tractor_solid(3), Some(Solid { shape: Shape::Particle, mass_kg: 6.0 }));
+    assert_eq!(scenario.tractor_solid(3), Some(Solid { shape: Shape::Particle { diameter_m: None }, mass_kg: 6.0 }));
     let launch = scenario.tractor_launch(2).unwrap();
     assert_eq!((launch.axial_speed.si(), launch.radial_speed.si()), (40.0, 50.0));
     assert_eq!(scenario.tractor_launch(1).unwrap().axial_speed.si(), 50.0);

@@ -19,13 +19,12 @@ use crate::scenario::Scenario;
 use crate::tractor::TiedAt;
 
 /// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and puts `placed` onto their
-/// centres. `axis` is the launch axis in the world frame.
+/// centres.
 pub fn make_rigid(
     document: &Document,
     cut: &CutWeb,
     scenario: &Scenario,
     throws: &[Option<Throw>],
-    axis: DVec3,
     placed: &mut [PlacedBody],
     (parts, state): (&mut SystemParts, &mut State),
 ) -> Result<(), Diagnostics> {
@@ -43,13 +42,7 @@ pub fn make_rigid(
             found.push(document.diagnostic(&path, format!("tractor {}: {message}", index + 1)).with_help(help));
             continue;
         };
-        let pointing = match scenario.launch.as_ref().map_or(Attitude::default(), |launch| launch.attitude) {
-            Attitude::Flight => throws[index].as_ref().map_or(axis, |throw| throw.direction),
-            Attitude::Axis => axis,
-        };
-        let frame = super::launch::frame(scenario);
-        let outwards = frame * (cut.web.knots[cut.web.corners[index]].position - cut.web.middle);
-        let orientation = attitude(pointing, axis.cross(outwards));
+        let orientation = at_launch(cut, scenario, throws[index].as_ref(), index);
         let centre = parts.mass.len();
         let mass = std::mem::take(&mut parts.mass[knot]);
         parts.mass.push(mass);
@@ -87,6 +80,18 @@ fn arm(scenario: &Scenario, corner: u32, body: &PlacedBody) -> Option<(DVec3, St
     // a particle has no end to be tied at
     let is_elsewhere = arm != DVec3::ZERO || matches!(tied_at, Some(TiedAt::Rear | TiedAt::Front));
     is_elsewhere.then(|| (arm, format!("{path}.{key}")))
+}
+
+/// How the tractor at a corner, from 0, is turned to the world at the start.
+pub fn at_launch(cut: &CutWeb, scenario: &Scenario, throw: Option<&Throw>, corner: usize) -> DQuat {
+    let frame = super::launch::frame(scenario);
+    let axis = frame * DVec3::Z;
+    let pointing = match scenario.launch.as_ref().map_or(Attitude::default(), |launch| launch.attitude) {
+        Attitude::Flight => throw.map_or(axis, |throw| throw.direction),
+        Attitude::Axis => axis,
+    };
+    let outwards = frame * (cut.web.knots[cut.web.corners[corner]].position - cut.web.middle);
+    attitude(pointing, axis.cross(outwards))
 }
 
 /// Turns z to `pointing` and y as near to `around` as can be.

@@ -89,6 +89,15 @@ impl Canopies {
     }
 }
 
+/// The triangles that air drags at: those of the sheets, or of each hexagon six round its hub.
+pub fn triangles(sheets: &[CutSheet], cut: &CutWeb) -> Vec<[usize; 3]> {
+    if !sheets.is_empty() {
+        return sheets.iter().flat_map(|sheet| sheet.triangles.iter().copied()).collect();
+    }
+    let hexagons = cut.web.canopies.iter();
+    hexagons.flat_map(|h| (0..6).map(|side| [h.hub, h.rim[side], h.rim[(side + 1) % 6]])).collect()
+}
+
 /// A regular hexagon of this side as a plate in the web's plane about the origin: I = m (5 s^2/24 + t^2/12) across, 5 m
 /// s^2/12 about its axis.
 fn hexagonal_plate(mass: f64, side: f64, thickness: f64) -> Lump {

@@ -71,6 +71,8 @@ pub struct Group {
     pub class: Class,
     /// The name of their rope, `rope` for the default one; none for the members of canopies.
     pub rope: Option<String>,
+    /// Diameter of the rope, m; none for the members of canopies.
+    pub diameter: Option<f64>,
     /// Its breaking load, N, where it is given.
     pub strength: Option<f64>,
     /// The share of its strength that knots take from it, where it is given.
@@ -225,6 +227,7 @@ fn groups(
             groups.push(Group {
                 class: rope.class.clone(),
                 rope: Some((*name).to_owned()),
+                diameter: Some(kind.diameter.si()),
                 strength: kind.strength.map(|strength| strength.si()),
                 knot_reduction: kind.knot_reduction.map(|share| share.si()),
                 law,
@@ -234,7 +237,7 @@ fn groups(
     }
     if canopies_are_links {
         let (class, law, breaking) = (Class::Canopy, Law::Linear, Breaking::NEVER);
-        groups.push(Group { class, rope: None, strength: None, knot_reduction: None, law, breaking });
+        groups.push(Group { class, rope: None, diameter: None, strength: None, knot_reduction: None, law, breaking });
     }
     groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
     Ok(groups)

@@ -12,6 +12,9 @@
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
 //! release     what is let go of, and when
+//! air         what drags at it, what buoys it up
+//! wind        how the air moves
+//! exposure    what the air does to it, in figures
 //! loads       what acts on the web
 //! drives      what of it is moved, and how
 //! size        whether the machine has the memory
@@ -19,6 +22,7 @@
 //!
 //! Everything that does not fit is reported at the place in the file that says so.
 
+mod air;
 mod assignment;
 mod binding;
 mod bodies;
@@ -26,6 +30,7 @@ mod canopies;
 mod canopy_links;
 mod drawing;
 mod drives;
+mod exposure;
 mod launch;
 mod loads;
 mod material;
@@ -36,14 +41,18 @@ mod scatter;
 mod selection;
 mod size;
 mod stowing;
+mod wind;
 
+pub use air::AirOutline;
 pub use canopies::CutSheet;
+pub use exposure::RopesInAir;
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
 pub use packing::Packing;
 pub use stowing::node_id;
 
 use glam::{DMat3, DQuat, DVec3};
+use netcast_dynamics::air::wind::Wind;
 use netcast_dynamics::body::Body;
 use netcast_dynamics::energy::Ledger;
 use netcast_dynamics::forces::law::RopeState;
@@ -127,6 +136,8 @@ pub struct Model {
     pub audit: Audit,
     /// What bounds the step.
     pub limit: StepLimit,
+    /// What the air comes to; none where there is none.
+    pub air: Option<AirOutline>,
     /// What was chosen or changed for the user, to be said.
     pub notes: Vec<String>,
     members: Vec<Member>,
@@ -211,9 +222,8 @@ impl Model {
         };
         let rotation = materials.canopies.bound.iter().map(turned).collect();
         let mut state = State { position, velocity, rotation };
-        let axis = frame * DVec3::Z;
         let rigid = (&mut parts, &mut state);
-        bodies::make_rigid(document, &cut, &scenario, &throws, axis, &mut materials.bodies, rigid)?;
+        bodies::make_rigid(document, &cut, &scenario, &throws, &mut materials.bodies, rigid)?;
         let centre_of = |knot: usize| {
             let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
             body.map_or(knot, |body| body.centre)
@@ -227,8 +237,18 @@ impl Model {
         throws.iter_mut().flatten().for_each(|throw| throw.node = centre_of(throw.node));
         release::throw(&mut throws, &mut parts, &mut state);
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
-        release::spin(turning * axis, &parts, &mut state);
+        release::spin(turning * (frame * DVec3::Z), &parts, &mut state);
         release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
+        let made = air::Made {
+            cut: &cut,
+            members: &materials.members,
+            groups: &materials.groups,
+            bodies: &materials.bodies,
+            throws: &throws,
+            triangles: &canopies::triangles(&materials.canopies.sheets, &cut),
+            bound: &materials.canopies.bound,
+        };
+        let air = air::surround(document, &scenario, &made, (&mut parts, &state))?;
         let system =
             parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
@@ -255,6 +275,7 @@ impl Model {
             );
         }
         notes.extend(launched_and_held(&system, &throws));
+        notes.extend(exposure::notes(&scenario, air.as_ref()));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }
@@ -270,6 +291,7 @@ impl Model {
             bill: materials.bill,
             audit,
             limit,
+            air,
             notes,
             members: materials.members,
             sheets: materials.canopies.sheets,
@@ -471,10 +493,11 @@ fn launched_and_held(system: &System, throws: &[Option<Throw>]) -> Option<String
 fn ill_begun(system: &System, state: &State) -> Option<String> {
     let still = state.velocity.iter().all(|v| *v == DVec3::ZERO) && system.launchers().is_empty();
     let unloaded = system.environment().gravity == DVec3::ZERO && system.loads().is_empty();
+    let calm = system.environment().air.as_ref().is_none_or(|air| air.wind == Wind::none());
     let slack = system.segments().iter().all(|s| {
         let [a, b] = s.ends;
         (state.position[b] - state.position[a]).length() <= s.rest_length
     });
-    (still && unloaded && slack && system.drives().is_empty())
+    (still && unloaded && calm && slack && system.drives().is_empty())
         .then(|| "nothing moves: there is no launch, no gravity and no tension at the start".to_owned())
 }

@@ -51,11 +51,14 @@ impl Chance {
 /// Two normally distributed numbers of mean 0 and deviation 1 (Box and Muller, Ann. Math. Stat. 29, 1958), by `libm`
 /// where a library's own would take the machine's logarithm.
 fn normal_pair(source: &mut ChaCha8Rng) -> [f64; 2] {
-    // 53 bits, in (0, 1]
-    let mut uniform = || ((source.next_u64() >> 11) + 1) as f64 / (1u64 << 53) as f64;
-    let radius = (-2.0 * libm::log(uniform())).sqrt();
-    let (sin, cos) = libm::sincos(TAU * uniform());
+    let radius = (-2.0 * libm::log(uniform(source))).sqrt();
+    let (sin, cos) = libm::sincos(TAU * uniform(source));
     [radius * cos, radius * sin]
+}
+
+/// A number in (0, 1], any as likely as any other: 53 bits.
+pub fn uniform(source: &mut ChaCha8Rng) -> f64 {
+    ((source.next_u64() >> 11) + 1) as f64 / (1u64 << 53) as f64
 }
 
 #[cfg(test)]

@@ -1,0 +1,134 @@
+//! What the air does to a web, in figures: what a scenario's author checks before anything is run.
+
+use netcast_dynamics::air::Air;
+use netcast_dynamics::forces::rope_drag::{RopeDrag, normal_coefficient};
+use netcast_webs::Class;
+
+use super::Model;
+use super::air::AirOutline;
+use crate::scenario::Scenario;
+
+/// Ropes of one diameter in the air.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RopesInAir {
+    /// The name of their rope.
+    pub rope: String,
+    /// Its diameter times their length, m^2.
+    pub area: f64,
+    /// Reynolds number across it at the launch speed.
+    pub reynolds: f64,
+    /// Normal coefficient there, what a screen adds left out.
+    pub normal: f64,
+}
+
+/// A damped fall that has this many times its own time is long.
+const LONG: f64 = 10.0;
+/// Bisections of a speed: more than a double can tell.
+const HALVINGS: usize = 80;
+
+impl Model {
+    /// The ropes by name, in the order of the groups; nothing where there is no air.
+    pub fn ropes_in_air(&self) -> Vec<RopesInAir> {
+        let (Some(air), Some(outline)) = (&self.system.environment().air, &self.air) else { return Vec::new() };
+        let mut found: Vec<RopesInAir> = Vec::new();
+        for (group, area, drag) in self.rope_areas(air) {
+            let Some(rope) = &self.groups[group].rope else { continue };
+            if let Some(known) = found.iter_mut().find(|known| known.rope == *rope) {
+                known.area += area;
+                continue;
+            }
+            let reynolds = reynolds(air, drag, outline.launch_speed);
+            let normal = drag.normal.unwrap_or_else(|| normal_coefficient(reynolds));
+            found.push(RopesInAir { rope: rope.clone(), area, reynolds, normal });
+        }
+        found
+    }
+
+    /// Area of the triangles that drag, as they would lie flat, m^2.
+    pub fn sheet_area(&self) -> f64 {
+        let air = self.system.environment().air.iter();
+        let corners = air.flat_map(|air| &air.sheets).map(|sheet| sheet.nodes.map(|node| self.cut.nodes[node]));
+        corners.map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
+    }
+
+    /// The speed at which the web falls, flat and level, without tractors and their ropes, m/s; none where it is not heavier
+    /// than what it displaces.
+    pub fn terminal_speed(&self) -> Option<f64> {
+        let (air, outline) = (self.system.environment().air.as_ref()?, self.air.as_ref()?);
+        let weight = self.bill.web_mass() * self.scenario.environment.gravity.si() - outline.web_buoyancy;
+        let ropes: Vec<_> =
+            self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
+        let sheets: f64 = match air.sheets.first() {
+            Some(sheet) => sheet.coefficient * self.sheet_area(),
+            None => 0.0,
+        };
+        let drag = |speed: f64| {
+            let of_rope = |&(_, area, drag): &(usize, f64, &RopeDrag)| {
+                let normal = drag.normal.unwrap_or_else(|| normal_coefficient(reynolds(air, drag, speed)));
+                drag.screen * normal * area
+            };
+            let ropes: f64 = ropes.iter().map(of_rope).sum();
+            0.5 * air.medium.density(0.0) * speed * speed * (ropes + sheets)
+        };
+        let (mut slow, mut fast) = (0.0, 1.0);
+        while drag(fast) < weight {
+            fast *= 2.0;
+            if fast > 1e6 {
+                return None;
+            }
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (slow + fast);
+            if drag(middle) < weight { slow = middle } else { fast = middle }
+        }
+        (weight > 0.0).then_some(fast)
+    }
+
+    /// Each group of ropes with its diameter times its length, m^2, and its drag.
+    fn rope_areas<'a>(&'a self, air: &'a Air) -> impl Iterator<Item = (usize, f64, &'a RopeDrag)> {
+        air.ropes.iter().enumerate().filter_map(|(group, drag)| {
+            let drag = drag.as_ref()?;
+            let segments = self.system.segments().iter().filter(|segment| segment.class == group);
+            Some((group, drag.diameter * segments.map(|segment| segment.rest_length).sum::<f64>(), drag))
+        })
+    }
+}
+
+fn reynolds(air: &Air, drag: &RopeDrag, speed: f64) -> f64 {
+    air.medium.density(0.0) * speed * drag.diameter / air.medium.viscosity()
+}
+
+/// What a user may not have expected of the air, and of what stands for it.
+pub fn notes(scenario: &Scenario, air: Option<&AirOutline>) -> Vec<String> {
+    let mut notes = Vec::new();
+    let environment = &scenario.environment;
+    let (damping, gravity) = (environment.damping.si(), environment.gravity.si());
+    let terminal = format!("{:.3} m/s (gravity / damping)", gravity / damping);
+    if damping > 0.0 && environment.wind.is_some() {
+        notes.push(
+            "environment.damping acts against the world, not against the air: it holds back what the wind carries along, and \
+             its drag comes on top of the air's; leave it out for all but comparisons"
+                .to_owned(),
+        );
+    } else if damping > 0.0 && air.is_some() {
+        notes.push(
+            "environment.damping comes on top of the drag of the air, which it stands for: leave one of them out"
+                .to_owned(),
+        );
+    }
+    let time = scenario.solve.run_time().unwrap_or(0.0);
+    if damping * time > LONG && gravity > 0.0 {
+        notes.push(format!(
+            "environment.damping lets nothing fall faster than {terminal}, heavy or light, and nothing drift: over {time} s \
+             that is no stand-in for air"
+        ));
+    }
+    if let Some(air) = air.filter(|air| air.sizeless > 0) {
+        let what = if air.sizeless == 1 { "1 particle has" } else { &format!("{} particles have", air.sizeless) };
+        notes.push(format!("{what} no size: the air passes by; give it a `diameter`, or another shape"));
+    }
+    if environment.wind.is_some() && scenario.solve.statics.is_some() {
+        notes.push("the equilibrium is found in still air: the wind begins with the run in time".to_owned());
+    }
+    notes
+}
