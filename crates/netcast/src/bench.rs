@@ -141,7 +141,7 @@ fn rope(net: &Model, segments: usize) -> (System, State) {
         tractor: vec![false; nodes],
         segments: (0..segments).map(|i| Segment { ends: [i, i + 1], class: 0, ..segment }).collect(),
         laws: vec![Law::Linear],
-        environment: *net.system.environment(),
+        environment: net.system.environment().clone(),
         ..SystemParts::default()
     };
     let along = |node: usize| node as f64 / segments as f64;

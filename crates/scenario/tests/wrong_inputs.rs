@@ -83,7 +83,8 @@ fn an_unknown_key_names_the_nearest() {
     assert_eq!(
         wrong(&text, &[]),
         [
-            "net.toml:45:1: record.duration: unknown key `duration` (there is solve.duration; known here: every, fields_every)"
+            "net.toml:45:1: record.duration: unknown key `duration` (there is environment.wind.gust.duration, solve.duration; \
+             known here: every, fields_every)"
         ]
     );
 }
@@ -147,7 +148,7 @@ fn variants_are_chosen_by_a_table() {
 #[test]
 fn what_comes_later_is_said_to_come_later() {
     for (from, to, path) in [
-        ("[record]", "[environment.air]\n[record]", "environment.air"),
+        ("[record]", "[environment.ground]\n[record]", "environment.ground"),
         ("[record]", "[targets.sphere]\n[record]", "targets"),
         ("[stow.bag]", "[stow.prescribed]", "stow.prescribed"),
     ] {

@@ -107,7 +107,11 @@ pub fn surround(
     let bodies = made.bodies.iter().filter(|body| !is_hidden(body));
     let air = Air {
         ropes: made.groups.iter().map(rope).collect(),
-        sheets: made.triangles.iter().map(|&nodes| SheetDrag { nodes, coefficient }).collect(),
+        sheets: made
+            .triangles
+            .iter()
+            .map(|&nodes| SheetDrag { nodes, coefficient, area: area(made.cut, nodes) })
+            .collect(),
         bodies: bodies.filter_map(|body| body_drag(scenario, made, parts, body)).collect(),
         added_mass: asked.added_mass.si(),
         fastest: JERKED * launch_speed + fastest(&wind) + FALL,
@@ -128,6 +132,12 @@ pub fn surround(
         buoyancy: all,
         web_buoyancy: of_the_web,
     }))
+}
+
+/// Area of a triangle as drawn, m^2.
+fn area(cut: &CutWeb, nodes: [usize; 3]) -> f64 {
+    let [a, b, c] = nodes.map(|node| cut.nodes[node]);
+    0.5 * (b - a).cross(c - a).length()
 }
 
 /// The fastest that anything is thrown or moved, m/s; in a tube, as the largest force all along it would.

@@ -1,14 +1,14 @@
 //! What the air does to a web, in figures: what a scenario's author checks before anything is run.
 
 use netcast_dynamics::air::Air;
-use netcast_dynamics::forces::rope_drag::{RopeDrag, normal_coefficient};
+use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_webs::Class;
 
 use super::Model;
 use super::air::AirOutline;
 use crate::scenario::Scenario;
 
-/// Ropes of one diameter in the air.
+/// Ropes of one name in the air; those of a screen apart from others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopesInAir {
     /// The name of their rope.
@@ -17,7 +17,7 @@ pub struct RopesInAir {
     pub area: f64,
     /// Reynolds number across it at the launch speed.
     pub reynolds: f64,
-    /// Normal coefficient there, what a screen adds left out.
+    /// Normal coefficient there, with what a screen adds.
     pub normal: f64,
 }
 
@@ -33,22 +33,14 @@ impl Model {
         let mut found: Vec<RopesInAir> = Vec::new();
         for (group, area, drag) in self.rope_areas(air) {
             let Some(rope) = &self.groups[group].rope else { continue };
-            if let Some(known) = found.iter_mut().find(|known| known.rope == *rope) {
-                known.area += area;
-                continue;
-            }
             let reynolds = reynolds(air, drag, outline.launch_speed);
-            let normal = drag.normal.unwrap_or_else(|| normal_coefficient(reynolds));
-            found.push(RopesInAir { rope: rope.clone(), area, reynolds, normal });
+            let normal = drag.coefficient(reynolds);
+            match found.iter_mut().find(|known| known.rope == *rope && known.normal == normal) {
+                Some(known) => known.area += area,
+                None => found.push(RopesInAir { rope: rope.clone(), area, reynolds, normal }),
+            }
         }
         found
-    }
-
-    /// Area of the triangles that drag, as they would lie flat, m^2.
-    pub fn sheet_area(&self) -> f64 {
-        let air = self.system.environment().air.iter();
-        let corners = air.flat_map(|air| &air.sheets).map(|sheet| sheet.nodes.map(|node| self.cut.nodes[node]));
-        corners.map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
     }
 
     /// The speed at which the web falls, flat and level, without tractors and their ropes, m/s; none where it is not heavier
@@ -58,16 +50,10 @@ impl Model {
         let weight = self.bill.web_mass() * self.scenario.environment.gravity.si() - outline.web_buoyancy;
         let ropes: Vec<_> =
             self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
-        let sheets: f64 = match air.sheets.first() {
-            Some(sheet) => sheet.coefficient * self.sheet_area(),
-            None => 0.0,
-        };
+        let sheets: f64 = air.sheets.iter().map(|sheet| sheet.coefficient * sheet.area).sum();
         let drag = |speed: f64| {
-            let of_rope = |&(_, area, drag): &(usize, f64, &RopeDrag)| {
-                let normal = drag.normal.unwrap_or_else(|| normal_coefficient(reynolds(air, drag, speed)));
-                drag.screen * normal * area
-            };
-            let ropes: f64 = ropes.iter().map(of_rope).sum();
+            let ropes: f64 =
+                ropes.iter().map(|(_, area, drag)| area * drag.coefficient(reynolds(air, drag, speed))).sum();
             0.5 * air.medium.density(0.0) * speed * speed * (ropes + sheets)
         };
         let (mut slow, mut fast) = (0.0, 1.0);
@@ -126,9 +112,6 @@ pub fn notes(scenario: &Scenario, air: Option<&AirOutline>) -> Vec<String> {
     if let Some(air) = air.filter(|air| air.sizeless > 0) {
         let what = if air.sizeless == 1 { "1 particle has" } else { &format!("{} particles have", air.sizeless) };
         notes.push(format!("{what} no size: the air passes by; give it a `diameter`, or another shape"));
-    }
-    if environment.wind.is_some() && scenario.solve.statics.is_some() {
-        notes.push("the equilibrium is found in still air: the wind begins with the run in time".to_owned());
     }
     notes
 }
