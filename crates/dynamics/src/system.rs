@@ -336,7 +336,7 @@ impl SystemParts {
     fn check_ground(&self, ground: &Ground) -> Result<(), SystemError> {
         let wrong = |what, index, node, why| Err(SystemError::Attached { what, index, node, why });
         for (index, footing) in ground.nodes.iter().enumerate() {
-            if self.mass.get(footing.node).is_none_or(|&mass| mass == 0.0) {
+            if self.mass.get(footing.node).is_none_or(|&mass| mass == 0.0) || !footing.radius.is_finite() {
                 return wrong("contact of the ground", index, footing.node, "does not exist, or has no mass");
             }
         }

@@ -21,7 +21,8 @@ fn lying(ground: Ground) -> Environment {
 
 /// Ground at zero under all nodes of `net`.
 fn under(net: &Net, friction: f64, restitution: f64) -> Ground {
-    let footing = |(node, &mass): (usize, &f64)| Footing { node, spring: Spring::bouncing(mass, 1e-3, restitution) };
+    let footing =
+        |(node, &mass): (usize, &f64)| Footing { node, radius: 0.0, spring: Spring::bouncing(mass, 1e-3, restitution) };
     let nodes = net.parts.mass.iter().enumerate().filter(|(_, mass)| **mass > 0.0).map(footing).collect();
     Ground { height: 0.0, friction, nodes, hulls: Vec::new() }
 }

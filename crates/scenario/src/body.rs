@@ -145,6 +145,16 @@ impl Shape {
         }
     }
 
+    /// How far it reaches from its centre at least, m; 0 for a particle.
+    pub fn least_reach_m(&self) -> f64 {
+        match *self {
+            Self::Cylinder { diameter_m, height_m } => 0.5 * diameter_m.min(height_m),
+            Self::Sphere { diameter_m } => 0.5 * diameter_m,
+            Self::Box { size_m } => 0.5 * size_m.into_iter().fold(f64::INFINITY, f64::min),
+            Self::Particle { diameter_m } => 0.5 * diameter_m.unwrap_or(0.0),
+        }
+    }
+
     /// Volume, m^3; 0 for a particle.
     pub fn volume_m3(&self) -> f64 {
         match *self {

@@ -18,6 +18,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     canopies_belong_to_the_space_web(written, &mut found);
     tractors_are_told_apart(written, &mut found);
     a_run_has_an_end(written, &mut found);
+    an_orbit_is_empty(written, &mut found);
     what_is_loaded_or_driven_is_named(written, &mut found);
     air_rules::check(written, &mut found);
     found
@@ -121,6 +122,19 @@ fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnosti
 
 /// The shapes that a tractor may have.
 const SHAPES: [&str; 4] = ["cylinder", "sphere", "box", "particle"];
+
+fn an_orbit_is_empty(written: &Written, found: &mut Vec<Diagnostic>) {
+    let Some(environment) = table_at(written, "environment").filter(|table| table.get("orbit").is_some()) else {
+        return;
+    };
+    let path = Path::default().key("environment");
+    for (key, what) in [("air", "air"), ("wind", "wind"), ("ground", "ground"), ("gravity", "other gravity")] {
+        if environment.get(key).is_some() {
+            let message = format!("beside an orbit there is no {what}");
+            found.push(written.at_key(&path.key(key), message).with_help("leave it out, or [environment.orbit]"));
+        }
+    }
+}
 
 fn a_run_has_an_end(written: &Written, found: &mut Vec<Diagnostic>) {
     let value = |path: &str| written.tree.get(&Path::parse(path)).map(|node| &node.value);

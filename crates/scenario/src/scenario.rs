@@ -160,12 +160,7 @@ impl Scenario {
         if let Some(canopy) = &mut self.canopy {
             canopy.complete();
         }
-        if let Some(air) = &mut self.environment.air {
-            air.complete();
-        }
-        if let Some(wind) = &mut self.environment.wind {
-            wind.complete();
-        }
+        self.environment.complete();
         let thickest = self.thickest_rope();
         if let Some(stowage) = &mut self.stow {
             stowage.pattern.complete(thickest);

@@ -20,9 +20,8 @@ pub struct Wind {
     pub speed: Option<Speed<NonNegative>>,
     /// Where it blows to, anticlockwise from x. Left out: along x.
     pub azimuth: Option<Angle>,
-    /// Height of the muzzle above the ground, m, which a profile begins at.
-    #[serde(default = "on_the_ground")]
-    pub muzzle_height: Length<NonNegative>,
+    /// Height of the muzzle above the ground, m, which a profile begins at. Left out: as [environment.ground] has it, or 0.
+    pub muzzle_height: Option<Length<NonNegative>>,
     /// The mean grows as a power of the height. Left out, and no `logarithmic` either: the mean is the same at any height.
     pub power: Option<PowerProfile>,
     /// The mean grows as the logarithm of the height.
@@ -33,10 +32,6 @@ pub struct Wind {
     pub turbulence: Option<Turbulence>,
     /// A measured wind, instead of all else.
     pub series: Option<WindSeries>,
-}
-
-fn on_the_ground() -> Length<NonNegative> {
-    Length::constant(0.0)
 }
 
 impl Wind {

@@ -148,7 +148,7 @@ fn variants_are_chosen_by_a_table() {
 #[test]
 fn what_comes_later_is_said_to_come_later() {
     for (from, to, path) in [
-        ("[record]", "[environment.ground]\n[record]", "environment.ground"),
+        ("[record]", "[contact.target]\n[record]", "contact"),
         ("[record]", "[targets.sphere]\n[record]", "targets"),
         ("[stow.bag]", "[stow.prescribed]", "stow.prescribed"),
     ] {

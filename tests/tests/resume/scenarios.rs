@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 33] = [
+pub const SCENARIOS: [(&str, &str); 37] = [
     (
         "space web, everything on board",
         r#"
@@ -582,6 +582,54 @@ traction_rope.length = "0.5 m"
 stow.layers = { spacing = "4 mm", tractor_radius = "0.2 m", tractor_gap = "0.05 m", container.cylinder = { radius = "0.3 m", height = "0.3 m" } }
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "thrown from the ground",
+        r#"
+web.square = { side = "1 m", mesh = "0.5 m" }
+rope = { diameter = "4 mm", density = 1140, elastic_modulus = "1 GPa", damping_ratio = 0.1 }
+tractor.box = { width = "50 mm", depth = "60 mm", height = "80 mm", mass = "0.3 kg" }
+traction_rope = { length = "0.2 m", tied_at = "rear" }
+stow.scale.factor = 0.4
+launch = { axial_speed = "3 m/s", radial_speed = "20 m/s" }
+environment.ground = { friction = 0.4, restitution = 0.3, contact_time = "0.5 ms" }
+solve = { duration = "40 ms", segment_length = "0.1 m", on_energy_error = "flag" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "dropped onto the ground",
+        r#"
+web.square = { side = "1 m", mesh = "0.5 m" }
+rope = { diameter = "4 mm", density = 1140, elastic_modulus = "1 GPa", damping_ratio = 0.1 }
+tractor.sphere = { diameter = "60 mm", mass = "0.3 kg" }
+environment.ground.height = "-50 mm"
+solve = { duration = "150 ms", segment_length = "0.25 m", on_energy_error = "flag" }
+record.every = "10 ms"
+"#,
+    ),
+    (
+        "let go beside the orbit of another planet",
+        r#"
+web.square = { side = "1 m", mesh = "0.5 m" }
+rope = { diameter = "4 mm", density = 1140, elastic_modulus = "1 GPa", damping_ratio = 0.1 }
+environment.orbit.mean_motion = "2 rad/s"
+solve = { duration = "40 ms", segment_length = "0.25 m", on_energy_error = "flag" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "thrown beside an orbit",
+        r#"
+web.square = { side = "1 m", mesh = "0.5 m" }
+rope = { diameter = "4 mm", density = 1140, elastic_modulus = "1 GPa", damping_ratio = 0.1 }
+tractor.particle.mass = "0.3 kg"
+stow.scale.factor = 0.4
+launch = { axial_speed = "3 m/s", radial_speed = "5 m/s", elevation = "20 deg" }
+environment.orbit.altitude = "600 km"
+solve = { duration = "40 ms", segment_length = "0.25 m", on_energy_error = "flag" }
 record.every = "2 ms"
 "#,
     ),

@@ -46,6 +46,8 @@ pub struct Ground {
 pub struct Footing {
     /// Which node.
     pub node: usize,
+    /// How far it reaches below its node, m.
+    pub radius: f64,
     /// How the ground answers it.
     pub spring: Spring,
 }
@@ -126,12 +128,19 @@ impl Ground {
             let depth = (self.height - x.z).max(0.0);
             0.5 * spring.stiffness * depth * depth
         };
-        let nodes = self.nodes.iter().map(|at| stored(&at.spring, state.position[at.node]));
+        let nodes = self.nodes.iter().map(|at| stored(&at.spring, at.lowest(state.position[at.node])));
         let hulls = self.hulls.iter().map(|hull| {
             let centre = state.position[system.bodies()[hull.body].centre];
             stored(&hull.spring, centre + state.rotation[hull.body].orientation * hull.arm)
         });
         nodes.sum::<f64>() + hulls.sum::<f64>()
+    }
+}
+
+impl Footing {
+    /// The point that touches first, m, of a node at `x`.
+    pub(crate) fn lowest(&self, x: DVec3) -> DVec3 {
+        x - self.radius * DVec3::Z
     }
 }
 

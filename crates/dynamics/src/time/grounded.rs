@@ -42,7 +42,10 @@ impl<'a> Grounded<'a> {
         force: &mut [DVec3],
     ) -> f64 {
         let ground = self.ground;
-        let pushed = |i: usize, [x]: [DVec3; 1], [v]: [DVec3; 1]| ground.push(&ground.nodes[i].spring, x, v, dt);
+        let pushed = |i: usize, [x]: [DVec3; 1], [v]: [DVec3; 1]| {
+            let footing = &ground.nodes[i];
+            ground.push(&footing.spring, footing.lowest(x), v, dt)
+        };
         self.nodes.pull(team, pushed, moving, force)
     }
 

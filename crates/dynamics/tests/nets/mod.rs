@@ -208,7 +208,7 @@ pub fn on_the_ground_of_a_moon(net: &mut Net) {
     let ground = Ground {
         height: -0.2,
         friction: 0.5,
-        nodes: heavy.map(|(node, &mass)| Footing { node, spring: spring(mass) }).collect(),
+        nodes: heavy.map(|(node, &mass)| Footing { node, radius: 0.02, spring: spring(mass) }).collect(),
         hulls: hulls.collect(),
     };
     net.parts.environment.ground = Some(ground);

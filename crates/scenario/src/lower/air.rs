@@ -87,7 +87,7 @@ pub fn surround(
     let Some(asked) = &scenario.environment.air else { return Ok(None) };
     let duration = scenario.solve.run_time().unwrap_or(0.0);
     let launch_speed = launch_speed(parts, state);
-    let wind = wind(document, duration, (launch_speed * duration).clamp(LOWEST_TOP, HIGHEST_TOP))?;
+    let wind = wind(document, scenario, duration, (launch_speed * duration).clamp(LOWEST_TOP, HIGHEST_TOP))?;
     let drawn_solidity = drawn_solidity(made);
     let solidity = solidity(document, asked, drawn_solidity)?;
     let medium = match (asked.density, asked.viscosity) {

@@ -12,6 +12,7 @@
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
 //! release     what is let go of, and when
+//! ground      what it starts from and lands on
 //! air         what drags at it, what buoys it up
 //! wind        how the air moves
 //! exposure    what the air does to it, in figures
@@ -31,6 +32,7 @@ mod canopy_links;
 mod drawing;
 mod drives;
 mod exposure;
+mod ground;
 mod launch;
 mod loads;
 mod material;
@@ -56,6 +58,7 @@ use netcast_dynamics::air::wind::Wind;
 use netcast_dynamics::body::Body;
 use netcast_dynamics::energy::Ledger;
 use netcast_dynamics::forces::law::RopeState;
+use netcast_dynamics::forces::orbit::Orbit;
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Unsupported, unsupported};
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
@@ -239,6 +242,7 @@ impl Model {
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * (frame * DVec3::Z), &parts, &mut state);
         release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
+        ground::lay(document, &cut, &mut scenario, &materials.bodies, (&mut parts, &state))?;
         let made = air::Made {
             cut: &cut,
             members: &materials.members,
@@ -249,6 +253,11 @@ impl Model {
             bound: &materials.canopies.bound,
         };
         let air = air::surround(document, &scenario, &made, (&mut parts, &state))?;
+        parts.environment.orbit = scenario.environment.orbit.as_ref().map(|orbit| Orbit {
+            mean_motion: orbit.mean_motion_rad_s(),
+            radial: DVec3::Z,
+            along: DVec3::X,
+        });
         let system =
             parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
@@ -498,6 +507,7 @@ fn ill_begun(system: &System, state: &State) -> Option<String> {
         let [a, b] = s.ends;
         (state.position[b] - state.position[a]).length() <= s.rest_length
     });
-    (still && unloaded && calm && slack && system.drives().is_empty())
+    let weightless = system.environment().orbit.is_none();
+    (still && unloaded && weightless && calm && slack && system.drives().is_empty())
         .then(|| "nothing moves: there is no launch, no gravity and no tension at the start".to_owned())
 }

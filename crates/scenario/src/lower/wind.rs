@@ -10,6 +10,7 @@ use super::scatter::uniform;
 use crate::csv_files::WindRow;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
+use crate::scenario::Scenario;
 use crate::wind::{self, Gust, LogarithmicProfile, PowerProfile, Turbulence};
 
 /// The longest run for which turbulence is made, s: it is a table, which takes time and room.
@@ -23,14 +24,14 @@ const GUST_ENTRIES: f64 = 200.0;
 ///
 /// # Errors
 /// Values that do not fit each other.
-pub fn wind(document: &Document, duration: f64, top: f64) -> Result<Wind, Diagnostics> {
-    let Some(asked) = &document.scenario.environment.wind else { return Ok(Wind::none()) };
+pub fn wind(document: &Document, scenario: &Scenario, duration: f64, top: f64) -> Result<Wind, Diagnostics> {
+    let Some(asked) = &scenario.environment.wind else { return Ok(Wind::none()) };
     if let Some(rows) = &document.wind {
         return Ok(Wind { fluctuation: resampled(rows), ..Wind::none() });
     }
     let direction = towards(asked.azimuth.map_or(0.0, |azimuth| azimuth.si()));
     let speed = asked.speed.map_or(0.0, |speed| speed.si());
-    let muzzle = asked.muzzle_height.si();
+    let muzzle = asked.muzzle_height.map_or(0.0, |height| height.si());
     let mean = match (&asked.power, &asked.logarithmic) {
         (Some(PowerProfile { exponent, reference_height }), _) => {
             power_law(speed, reference_height.si(), exponent.si(), muzzle, top)
