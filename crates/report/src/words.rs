@@ -504,12 +504,12 @@ mod tests {
     #[test]
     fn what_the_air_takes_or_the_wind_gives_is_told() {
         let mut summary = json!({"energy": {"initial_j": 4000.0, "channels": {"air": 100.0}},
-                                 "air": {"density_kg_m3": 1.225, "wind_m_s": [0.0, 0.0, 0.0], "wind_change_max_m_s": 0.0}});
-        let still = "Drag takes 100 J, 2 % of what there was at the start, in a medium of 1.23 kg/m³.";
+                                 "air": {"density_kg_m3": 1.2, "wind_m_s": [0.0, 0.0, 0.0], "wind_change_max_m_s": 0.0}});
+        let still = "Drag takes 100 J, 2.5 % of what there was at the start, in a medium of 1.20 kg/m³.";
         assert_eq!(air(&summary).unwrap(), still);
         summary["energy"] = json!({"initial_j": 0.0, "channels": {"air": -12.0}});
         summary["air"]["wind_m_s"] = json!([3.0, 4.0, 0.0]);
-        let windy = "Drag gives 12.0 J, in a medium of 1.23 kg/m³ that moves at 5.00 m/s at the start.";
+        let windy = "Drag gives 12.0 J, in a medium of 1.20 kg/m³ that moves at 5.00 m/s at the start.";
         assert_eq!(air(&summary).unwrap(), windy);
         assert_eq!(air(&json!({"air": null, "energy": {"channels": {"air": 0.0}}})), None);
     }

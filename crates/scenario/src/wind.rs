@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{NonNegative, Positive};
+use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
 use crate::quantity::{Angle, Length, Number, Speed, Time};
 
 /// `[environment.wind]`: a mean `speed`, uniform or by a profile, with a gust and turbulence; or a measured `series`.
@@ -22,7 +22,7 @@ pub struct Wind {
     pub azimuth: Option<Angle>,
     /// Height of the muzzle above the ground, m, which a profile begins at.
     #[serde(default = "on_the_ground")]
-    pub muzzle_height: Length<NonNegative>,
+    pub muzzle_height: Length<BoundaryLayer>,
     /// The mean grows as a power of the height. Left out, and no `logarithmic` either: the mean is the same at any height.
     pub power: Option<PowerProfile>,
     /// The mean grows as the logarithm of the height.
@@ -35,7 +35,7 @@ pub struct Wind {
     pub series: Option<WindSeries>,
 }
 
-fn on_the_ground() -> Length<NonNegative> {
+fn on_the_ground() -> Length<BoundaryLayer> {
     Length::constant(0.0)
 }
 
@@ -55,7 +55,7 @@ const REFERENCE_HEIGHT: Length<Positive> = Length::constant(10.0);
 #[serde(deny_unknown_fields, default)]
 pub struct PowerProfile {
     /// The exponent: a seventh over open land (Hellmann 1919), 0.1 over water, 0.25 to 0.4 over woods and towns.
-    pub exponent: Number<NonNegative>,
+    pub exponent: Number<Fraction>,
     /// Height above the ground at which the wind has its speed, m: weather services measure at 10 m.
     pub reference_height: Length<Positive>,
 }
