@@ -1,4 +1,4 @@
-//! What a user writes: scenarios, quantities, overrides, the CSV files of a graph and of a stowing.
+//! What a user writes: scenarios, quantities, overrides, the CSV files of a graph, of a stowing and of a wind.
 
 use std::path::{Path, PathBuf};
 
@@ -60,13 +60,18 @@ pub fn units(bytes: &[u8]) {
     }
 }
 
-/// The nodes, the ropes and the stowing of a graph, in one input with a file separator between them.
+/// The air rests.
+const NO_WIND: &[u8] = b"t,vx,vy,vz\n0,0,0,0\n";
+
+/// The nodes, the ropes and the stowing of a graph and the wind it flies in, in one input with a file separator between
+/// them; without a fourth file there is none.
 pub fn graph_files(bytes: &[u8]) {
     let folder = TempDir::new().expect("a temporary folder");
     let mut files = bytes.split(|&byte| char::from(byte) == NEXT_FILE);
     for name in ["nodes.csv", "ropes.csv", "stowed.csv"] {
         std::fs::write(folder.path().join(name), files.next().unwrap_or_default()).expect("a temporary file");
     }
+    std::fs::write(folder.path().join("wind.csv"), files.next().unwrap_or(NO_WIND)).expect("a temporary file");
     lower(Document::parse(source(GRAPH), folder.path(), &[]), folder.path());
 }
 
@@ -114,7 +119,7 @@ fn quantity<U: dimension::Measured, I: interval::Within>(read: Result<Quantity<U
 /// Whether it names files beside those of this package.
 fn names_other_files(text: &str) -> bool {
     let Ok(tree) = Tree::parse(text) else { return false };
-    ["web.graph.nodes", "web.graph.ropes", "stow.file.path"].iter().any(|path| {
+    ["web.graph.nodes", "web.graph.ropes", "stow.file.path", "environment.wind.series.file"].iter().any(|path| {
         let value = tree.get(&KeyPath::parse(path)).map(|node| &node.value);
         value.and_then(Value::as_text).is_some_and(|name| Path::new(name).components().count() != 1 || name == "..")
     })

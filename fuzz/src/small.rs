@@ -8,8 +8,10 @@ use netcast_scenario::web::Web;
 const MOST_CELLS: f64 = 12.0;
 const MOST_SEGMENTS: f64 = 100.0;
 const MOST_PARALLEL: u32 = 4;
+/// The longest turbulence, s.
+const LONGEST_TURBULENCE: f64 = 0.1;
 
-/// Whether drawing and cutting its web takes milliseconds.
+/// Whether drawing and cutting its web and tabulating its wind takes milliseconds.
 pub fn is_small(document: &Document) -> bool {
     let scenario = &document.scenario;
     let (size, cells, per_cell) = match &scenario.web {
@@ -47,8 +49,11 @@ pub fn is_small(document: &Document) -> bool {
         scenario.traction_rope.as_ref().map_or((0.0, 1), |ropes| (ropes.length.si(), ropes.count.get()));
     // left out, it is a share of the web's size
     let segment_length = scenario.solve.segment_length.map_or(size / 10.0, |length| length.si());
+    let turbulence = scenario.environment.wind.as_ref().and_then(|wind| wind.turbulence.as_ref());
+    let duration = scenario.solve.run_time().unwrap_or(0.0);
     cells <= MOST_CELLS
         && f64::from(per_cell) <= MOST_SEGMENTS
         && size.max(traction) <= MOST_SEGMENTS * segment_length
         && parallel <= MOST_PARALLEL
+        && !turbulence.is_some_and(|_| duration > LONGEST_TURBULENCE)
 }

@@ -147,6 +147,18 @@ pub enum RunError {
     },
 }
 
+/// The medium and the wind of a run.
+fn air(model: &Model) -> Option<summary::Air> {
+    let air = model.system.environment().air.as_ref()?;
+    Some(summary::Air {
+        density_kg_m3: air.medium.density(0.0),
+        viscosity_pa_s: air.medium.viscosity(),
+        wind_m_s: air.wind.at(0.0, 0.0).into(),
+        wind_change_max_m_s: air.wind.fluctuation.values.iter().map(|wind| wind.length()).fold(0.0, f64::max),
+        solidity: model.air.as_ref().and_then(|air| air.solidity),
+    })
+}
+
 /// When a model's steps and records happen.
 pub fn schedule(model: &Model) -> Schedule {
     let every = model.scenario.record.every.si();
@@ -381,6 +393,7 @@ impl Ended<'_> {
                 lifted_by: model.step_lift(),
             },
             launch: launched(model, &outcome),
+            air: air(model),
             statics: rest.as_ref().map(|rest| rest.summary(model)),
             opening: recording.opening,
             points: recording.points,

@@ -220,6 +220,8 @@ fn model(summary: &Value) -> String {
             ("Rope length", number(&model["rope_length_m"], "m")),
             ("Mass of the web", number(&model["web_mass_kg"], "kg")),
             ("Mass of the tractors", number(&model["tractor_mass_kg"], "kg")),
+            ("Density of the medium", number(&summary["air"]["density_kg_m3"], "kg/m³")),
+            ("Wind at the muzzle at the start", wind(&summary["air"]["wind_m_s"])),
             ("Time step", step["dt_s"].as_f64().map(duration)),
             ("Steps", count(&step["count"])),
             ("Limited by", step["limited_by"].as_str().map(str::to_owned)),
@@ -227,6 +229,13 @@ fn model(summary: &Value) -> String {
             ("Computed in", summary["wall_time_s"].as_f64().map(duration)),
         ],
     )
+}
+
+/// The components of a wind that blows.
+fn wind(components: &Value) -> Option<String> {
+    let components: Vec<f64> = components.as_array()?.iter().filter_map(Value::as_f64).collect();
+    let told: Vec<String> = components.iter().map(|along| significant(*along)).collect();
+    components.iter().any(|along| *along != 0.0).then(|| format!("{} m/s", told.join(", ")))
 }
 
 /// The entries of an object, in the order of the file; none where there is no object.

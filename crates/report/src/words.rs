@@ -41,6 +41,7 @@ pub fn words(summary: &Value) -> Vec<String> {
             posture,
             mouth,
             hang,
+            air,
             energy,
         ],
     };
@@ -300,6 +301,26 @@ fn hang(summary: &Value) -> Option<String> {
     ))
 }
 
+/// What the air has taken, or the wind given.
+fn air(summary: &Value) -> Option<String> {
+    let (air, energy) = (&summary["air"], &summary["energy"]);
+    let density = format!("{} kg/m³", significant(air["density_kg_m3"].as_f64()?));
+    let taken = energy["channels"]["air"].as_f64()?;
+    let wind = air["wind_m_s"].as_array().into_iter().flatten().filter_map(Value::as_f64);
+    let speed = wind.map(|along| along * along).sum::<f64>().sqrt();
+    let change = air["wind_change_max_m_s"].as_f64().filter(|change| *change > 0.0);
+    let moving = match (speed > 0.0, change) {
+        (true, _) => format!(" that moves at {} m/s at the start", significant(speed)),
+        (false, Some(change)) => format!(" that moves at up to {} m/s", significant(change)),
+        (false, None) => String::new(),
+    };
+    let initial = energy["initial_j"].as_f64().filter(|initial| *initial > taken.abs());
+    let share = initial.map(|initial| format!(", {} of what there was at the start", percent(taken.abs() / initial)));
+    let verb = if taken < 0.0 { "gives" } else { "takes" };
+    let (taken, share) = (with_prefix(taken.abs(), "J"), share.unwrap_or_default());
+    Some(format!("Drag {verb} {taken}{share}, in a medium of {density}{moving}."))
+}
+
 fn energy(summary: &Value) -> Option<String> {
     let energy = &summary["energy"];
     let closure = energy["closure"].as_f64()?;
@@ -478,6 +499,19 @@ mod tests {
             words(&summary)[1],
             "At least 80 % open from 0.112 s to 0.193 s, its longest spell; 0.120 s in all."
         );
+    }
+
+    #[test]
+    fn what_the_air_takes_or_the_wind_gives_is_told() {
+        let mut summary = json!({"energy": {"initial_j": 4000.0, "channels": {"air": 100.0}},
+                                 "air": {"density_kg_m3": 1.2, "wind_m_s": [0.0, 0.0, 0.0], "wind_change_max_m_s": 0.0}});
+        let still = "Drag takes 100 J, 2.5 % of what there was at the start, in a medium of 1.20 kg/m³.";
+        assert_eq!(air(&summary).unwrap(), still);
+        summary["energy"] = json!({"initial_j": 0.0, "channels": {"air": -12.0}});
+        summary["air"]["wind_m_s"] = json!([3.0, 4.0, 0.0]);
+        let windy = "Drag gives 12.0 J, in a medium of 1.20 kg/m³ that moves at 5.00 m/s at the start.";
+        assert_eq!(air(&summary).unwrap(), windy);
+        assert_eq!(air(&json!({"air": null, "energy": {"channels": {"air": 0.0}}})), None);
     }
 
     #[test]

@@ -32,6 +32,8 @@ pub struct Summary {
     pub statics: Option<Statics>,
     /// How the tractors were launched; none where nothing is.
     pub launch: Option<Launch>,
+    /// What the net flew through; none where there was no air.
+    pub air: Option<Air>,
     /// How far and how long the web opened.
     pub opening: Opening,
     /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
@@ -95,6 +97,21 @@ pub struct Launch {
     pub tractors: BTreeMap<u32, Departure>,
     /// What the tubes push back with.
     pub recoil: Option<Recoil>,
+}
+
+/// The medium and the wind.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Air {
+    /// Density at the muzzle, kg/m³.
+    pub density_kg_m3: f64,
+    /// Dynamic viscosity, Pa s.
+    pub viscosity_pa_s: f64,
+    /// Wind at the muzzle at the start, x, y and z in the world frame, m/s.
+    pub wind_m_s: [f64; 3],
+    /// The largest wind that adds to the mean at any time, m/s: gusts, turbulence; the measured wind.
+    pub wind_change_max_m_s: f64,
+    /// The solidity by which ropes drag as a screen; none where each drags as if alone.
+    pub solidity: Option<f64>,
 }
 
 /// How a tractor left: its muzzle where it has a tube, else where it was stowed.
@@ -390,6 +407,7 @@ impl Summary {
         require_finite("model", &self.model)?;
         require_finite("step", &self.step)?;
         require_finite("launch", &self.launch)?;
+        require_finite("air", &self.air)?;
         require_finite("static", &self.statics)?;
         require_finite("opening", &self.opening)?;
         require_finite("points", &self.points)?;

@@ -277,6 +277,9 @@ pub struct WindRow {
     pub velocity_m_s: [f64; 3],
 }
 
+/// Nobody measures a wind for longer, s.
+const LONGEST_WIND: f64 = 1e9;
+
 /// Reads the file of `[environment.wind.series]`; none where there is none or the file cannot be read.
 pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<WindRow>> {
     let mut table = CsvTable::read(written, "environment.wind.series.file", &["t", "vx", "vy", "vz"], &[], found)?;
@@ -289,6 +292,9 @@ pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
         let row = WindRow { time_s: time?, velocity_m_s: [vx?, vy?, vz?] };
         if before.is_some_and(|before| row.time_s <= before) {
             cells.fault_in("t", "t: expected a time after that of the line before".into(), None);
+        }
+        if row.time_s.abs() > LONGEST_WIND {
+            cells.fault_in("t", format!("t: expected a time within {LONGEST_WIND:e} s of the start"), None);
         }
         before = Some(row.time_s);
         Some(row)

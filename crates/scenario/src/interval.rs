@@ -110,6 +110,8 @@ intervals! {
     OpenShare: Bound::Included(0.0), Bound::Included(0.7);
     /// Heights above the sea in which the standard atmosphere cools evenly: -1 km to 11 km.
     Troposphere: Bound::Included(-1000.0), Bound::Included(11000.0);
+    /// Heights above the ground at which profiles of the wind hold: 0 to 2 km.
+    BoundaryLayer: Bound::Included(0.0), Bound::Included(2000.0);
     /// More than nothing and less than half a turn: 0 to 180 deg.
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
     /// From straight down to straight up: -90 deg to 90 deg.

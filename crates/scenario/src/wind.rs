@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{NonNegative, Positive};
+use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
 use crate::quantity::{Angle, Length, Number, Speed, Time};
 
 /// `[environment.wind]`: a mean `speed`, uniform or by a profile, with a gust and turbulence; or a measured `series`.
@@ -21,7 +21,7 @@ pub struct Wind {
     /// Where it blows to, anticlockwise from x. Left out: along x.
     pub azimuth: Option<Angle>,
     /// Height of the muzzle above the ground, m, which a profile begins at. Left out: as [environment.ground] has it, or 0.
-    pub muzzle_height: Option<Length<NonNegative>>,
+    pub muzzle_height: Option<Length<BoundaryLayer>>,
     /// The mean grows as a power of the height. Left out, and no `logarithmic` either: the mean is the same at any height.
     pub power: Option<PowerProfile>,
     /// The mean grows as the logarithm of the height.
@@ -50,7 +50,7 @@ const REFERENCE_HEIGHT: Length<Positive> = Length::constant(10.0);
 #[serde(deny_unknown_fields, default)]
 pub struct PowerProfile {
     /// The exponent: a seventh over open land (Hellmann 1919), 0.1 over water, 0.25 to 0.4 over woods and towns.
-    pub exponent: Number<NonNegative>,
+    pub exponent: Number<Fraction>,
     /// Height above the ground at which the wind has its speed, m: weather services measure at 10 m.
     pub reference_height: Length<Positive>,
 }

@@ -351,6 +351,12 @@ fn what_does_not_fit_is_told_with_its_place() {
          `environment.wind.speed`)",
     );
     blown(
+        "speed = 20\nturbulence.dryden = { deviation = 1, length_scale = 3 }",
+        "",
+        "environment.wind.turbulence.dryden.length_scale: eddies of 3 m pass faster than the tables can tell: expected at least \
+         4 m",
+    );
+    blown(
         "series.file = \"wind.csv\"\nspeed = 3",
         "t,vx,vy,vz\n0,1,2,3\n",
         "environment.wind.speed: a measured wind is all there is: expected only one of `series` and `speed`",

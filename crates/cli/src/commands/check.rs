@@ -1,5 +1,7 @@
 //! `netcast check`
 
+mod air;
+
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -49,6 +51,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     from_library(&document);
     bodies(&model);
     launch(&model);
+    air::air(&model);
     audit(&model);
     acting(&model);
     cost(&model);

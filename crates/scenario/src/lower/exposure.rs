@@ -13,6 +13,8 @@ use crate::scenario::Scenario;
 pub struct RopesInAir {
     /// The name of their rope.
     pub rope: String,
+    /// Whether they drag as those of a screen.
+    pub screened: bool,
     /// Its diameter times their length, m^2.
     pub area: f64,
     /// Reynolds number across it at the launch speed.
@@ -34,10 +36,10 @@ impl Model {
         for (group, area, drag) in self.rope_areas(air) {
             let Some(rope) = &self.groups[group].rope else { continue };
             let reynolds = reynolds(air, drag, outline.launch_speed);
-            let normal = drag.coefficient(reynolds);
-            match found.iter_mut().find(|known| known.rope == *rope && known.normal == normal) {
+            let (normal, screened) = (drag.coefficient(reynolds), drag.screen != 1.0);
+            match found.iter_mut().find(|known| known.rope == *rope && known.screened == screened) {
                 Some(known) => known.area += area,
-                None => found.push(RopesInAir { rope: rope.clone(), area, reynolds, normal }),
+                None => found.push(RopesInAir { rope: rope.clone(), screened, area, reynolds, normal }),
             }
         }
         found

@@ -15,6 +15,8 @@ use crate::document::Document;
 use crate::quantity::Length;
 use crate::scenario::Scenario;
 
+/// The highest muzzle above the ground for which there are profiles of the wind, m.
+const HIGHEST_MUZZLE: f64 = 2000.0;
 /// Points of each rim of a cylinder.
 const RIM: usize = 8;
 
@@ -63,7 +65,7 @@ pub fn lay(
         of_nodes.chain(of_hulls).fold((0, f64::INFINITY), |one, other| if other.1 < one.1 { other } else { one });
     let height = asked.height.get_or_insert(Length::constant(if bottom.is_finite() { bottom } else { 0.0 })).si();
     if let Some(wind) = &mut scenario.environment.wind {
-        wind.muzzle_height.get_or_insert(Length::constant((-height).max(0.0)));
+        wind.muzzle_height.get_or_insert(Length::constant((-height).clamp(0.0, HIGHEST_MUZZLE)));
     }
     if bottom < height {
         let what = if lowest < cut.nodes.len() { cut.node_label(lowest) } else { "a body".to_owned() };

@@ -15,6 +15,9 @@ use crate::wind::{self, Gust, LogarithmicProfile, PowerProfile, Turbulence};
 
 /// The longest run for which turbulence is made, s: it is a table, which takes time and room.
 const LONGEST: f64 = 600.0;
+/// The least time in which an eddy of its length scale passes, s: the tables have no waves beyond 50 1/s, and 4 % of the
+/// variance then lie there.
+const SHORTEST: f64 = 0.2;
 /// Most entries of a table by time.
 const MOST_ENTRIES: f64 = 1e6;
 /// Entries of the table of a gust.
@@ -67,7 +70,8 @@ fn towards(azimuth: f64) -> DVec3 {
 fn gust_of(wind: &wind::Wind, asked: &Gust) -> Series<DVec3> {
     let direction = towards(asked.azimuth.or(wind.azimuth).map_or(0.0, |azimuth| azimuth.si()));
     let duration = asked.duration.si();
-    let Series { first, spacing, values } = gust(asked.speed.si(), asked.at.si(), duration, duration / GUST_ENTRIES);
+    let spacing = (duration / GUST_ENTRIES).max(f64::MIN_POSITIVE);
+    let Series { first, spacing, values } = gust(asked.speed.si(), asked.at.si(), duration, spacing);
     Series { first, spacing, values: values.into_iter().map(|speed| direction * speed).collect() }
 }
 
@@ -94,6 +98,12 @@ fn turbulent(
     let relative = eddies.intensity.map(|intensity| speed * intensity.si());
     let deviation = relative.or(eddies.deviation.map(|deviation| deviation.si())).unwrap_or(0.0);
     let along = eddies.length_scale.si();
+    let shortest = speed * SHORTEST;
+    if along < shortest {
+        let message =
+            format!("eddies of {along} m pass faster than the tables can tell: expected at least {shortest} m");
+        return Err(document.diagnostic(&format!("{table}.length_scale"), message));
+    }
     let (spectrum, across) = match asked {
         // von Karman's scales of isotropic turbulence, and Dryden's, as the spectra have them
         Turbulence::VonKarman(_) => (Spectrum::VonKarman, 0.5 * along),
