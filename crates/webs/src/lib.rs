@@ -60,7 +60,7 @@ pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{
     Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth,
-    PackingError, Pattern, Scale, Size, StiffPlate, StowedSegment, audit, closeness,
+    PackingError, Pattern, Scale, Sector, Size, StiffPlate, StowedSegment, audit, closeness,
 };
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};

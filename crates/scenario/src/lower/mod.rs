@@ -228,7 +228,7 @@ impl Model {
         release::throw(&mut throws, &mut parts, &mut state);
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * axis, &parts, &mut state);
-        release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
+        release::hold_back(document, &cut, &scenario, &tractors, &mut notes, (&mut parts, &mut state))?;
         let system =
             parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);

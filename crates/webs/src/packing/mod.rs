@@ -16,6 +16,7 @@ mod mouth;
 mod plate;
 mod rings;
 mod scale;
+mod sector;
 mod star;
 
 pub use audit::{Audit, LongestStretch, Size, StowedSegment, audit};
@@ -28,6 +29,7 @@ pub use imperfection::Imperfection;
 pub use mouth::Mouth;
 pub use plate::StiffPlate;
 pub use scale::Scale;
+pub use sector::Sector;
 
 use glam::DVec3;
 
