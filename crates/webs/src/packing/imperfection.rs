@@ -5,7 +5,8 @@
 //! 2. The web is shrunk towards the axis at its top: by as much as the twist stretched any tie, so that none is
 //!    stretched any more, and then by `slack`.
 //! 3. Node by node, in order, each is moved aside, normal to the axis, by two normal deviates of standard deviation
-//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none.
+//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none. The nodes of
+//!    a canopy move as one: cloth is not stretched by that, and a plate not bent.
 //!
 //! A tie is a segment of rope, or a pair of knots of one canopy: at most its rest length apart before, it is so after
 //! each of these. Deviates come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), and elementary
@@ -63,20 +64,32 @@ impl Imperfection {
         for &node in &parts {
             packed[node] = anchor + (packed[node] - anchor) * factor;
         }
-        self.scatter(&parts, &Neighbours::of(&ties, packed.len()), packed);
+        self.scatter(&groups(cut_web, &parts), &Neighbours::of(&ties, packed.len()), packed);
     }
 
-    fn scatter(&self, parts: &[usize], neighbours: &Neighbours, packed: &mut [DVec3]) {
+    fn scatter(&self, groups: &[Vec<usize>], neighbours: &Neighbours, packed: &mut [DVec3]) {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        for &node in parts {
+        for group in groups {
             let way = (self.scatter * normal_pair(&mut random)).extend(0.0);
-            let allowed = neighbours
-                .of_node(node)
-                .map(|&(other, length)| reach(packed[node] - packed[other], way, length))
+            let allowed = group
+                .iter()
+                .flat_map(|&node| neighbours.of_node(node).map(move |tie| (node, tie)))
+                .filter(|(_, (other, _))| !group.contains(other))
+                .map(|(node, &(other, length))| reach(packed[node] - packed[other], way, length))
                 .fold(1.0, f64::min);
-            packed[node] += way * allowed;
+            group.iter().for_each(|&node| packed[node] += way * allowed);
         }
     }
+}
+
+/// What moves as one, in the order of the first node of each.
+fn groups(cut_web: &CutWeb, parts: &[usize]) -> Vec<Vec<usize>> {
+    let mut groups = cut_web.canopy_nodes();
+    let mut is_grouped = vec![false; cut_web.nodes.len()];
+    groups.iter().flatten().for_each(|&node| is_grouped[node] = true);
+    groups.extend(parts.iter().filter(|&&node| !is_grouped[node]).map(|&node| vec![node]));
+    groups.sort_by_key(|group| group.iter().copied().min());
+    groups
 }
 
 /// The nodes tied to each node, and how far they may be apart, m.

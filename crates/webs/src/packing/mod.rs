@@ -9,6 +9,7 @@ mod bend;
 mod closeness;
 mod container;
 mod folded;
+mod folded_plates;
 mod folds;
 mod given;
 mod imperfection;
