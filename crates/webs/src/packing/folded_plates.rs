@@ -2,9 +2,7 @@
 //!
 //! A fold moves a plate that lies within one leg as it is. Where a bend goes through a plate, the plate takes the place
 //! and the attitude that fit its bent corners best; then its corners are not where the fold has put them, and ropes may
-//! be too short. So the web is drawn in about such plates, sweep by sweep (position-based dynamics: Müller, Heidelberger,
-//! Hennix, Ratcliff, J. Vis. Commun. Image R. 18, 2007): the ends of each segment that is too long move towards each
-//! other, each plate then goes where its corners have been drawn. Tractors stay.
+//! be too short. So the web is drawn in about such plates (`ties.rs`). Tractors stay.
 //!
 //! The attitude is the orthogonal factor of M = sum x q* over the corners, q in the flat plate and x as they are, both
 //! from their means: R = M (M* M)^(-1/2), the rotation that is nearest in least squares.
@@ -12,13 +10,11 @@
 use glam::{DMat2, DMat3, DVec2, DVec3, dvec2};
 
 use super::plate::StiffPlate;
+use super::ties::{self, Drawn, Tie};
 use crate::CutWeb;
 
 /// How much shorter than its rest length a segment becomes that was too long, relative: sweeps then come to an end.
 const AIM: f64 = 1e-3;
-
-/// A stretch that is none, relative.
-const ROUNDING: f64 = 1e-12;
 
 /// After as many sweeps as that what is still stretched stays so, for the audit to tell.
 const MOST_SWEEPS: usize = 20_000;
@@ -35,7 +31,7 @@ impl StiffPlate {
         let folded = packed.to_vec();
         let mut turns = vec![DMat3::IDENTITY; plates.len()];
         for (plate, turn) in plates.iter().zip(&mut turns) {
-            *turn = plate.nearest_turn(cut_web, *turn, packed);
+            *turn = plate.fit_corners(cut_web, *turn, packed);
             plate.place(cut_web, *turn, packed);
         }
         // ropes follow their ends
@@ -46,52 +42,19 @@ impl StiffPlate {
                 packed[node] += a.lerp(b, f64::from(place) / cut.segments as f64);
             }
         }
-        draw_in(plates, &mut turns, cut_web, packed);
+        let mut ease = vec![1.0; packed.len()];
+        let is_on_a_plate = |knot: &usize| plates.iter().any(|plate| plate.nodes.contains(knot));
+        cut_web.web.tractors.iter().filter(|&knot| !is_on_a_plate(knot)).for_each(|&knot| ease[knot] = 0.0);
+        let ties: Vec<Tie> = ties::of_ropes(cut_web).collect();
+        Drawn { cut_web, ties: &ties, plates, ease: &ease }.draw_in(AIM, MOST_SWEEPS, &mut turns, packed);
         turns
-    }
-}
-
-fn draw_in(plates: &[StiffPlate], turns: &mut [DMat3], cut_web: &CutWeb, packed: &mut [DVec3]) {
-    let mut plate_of = vec![None; packed.len()];
-    for (index, plate) in plates.iter().enumerate() {
-        plate.nodes.iter().for_each(|&node| plate_of[node] = Some(index));
-    }
-    let mut is_free = vec![true; packed.len()];
-    cut_web.web.tractors.iter().filter(|&&knot| plate_of[knot].is_none()).for_each(|&knot| is_free[knot] = false);
-    let mut is_drawn = vec![false; plates.len()];
-    for _ in 0..MOST_SWEEPS {
-        let mut was_stretched = false;
-        for segment in cut_web.segments() {
-            let between = packed[segment.b] - packed[segment.a];
-            let excess = between.length() - segment.rest_length;
-            let ends = [segment.a, segment.b];
-            let free = ends.iter().filter(|&&end| is_free[end]).count();
-            if excess <= ROUNDING * segment.rest_length || free == 0 {
-                continue;
-            }
-            was_stretched = true;
-            let way = (excess + AIM * segment.rest_length) / free as f64 * between.normalize_or_zero();
-            for (end, way) in ends.into_iter().zip([way, -way]).filter(|(end, _)| is_free[*end]) {
-                packed[end] += way;
-                plate_of[end].into_iter().for_each(|plate: usize| is_drawn[plate] = true);
-            }
-        }
-        if !was_stretched {
-            return;
-        }
-        for ((plate, turn), is_drawn) in plates.iter().zip(&mut *turns).zip(&mut is_drawn) {
-            if std::mem::take(is_drawn) {
-                *turn = plate.nearest_turn(cut_web, *turn, packed);
-                plate.place(cut_web, *turn, packed);
-            }
-        }
     }
 }
 
 impl StiffPlate {
     /// Moves its hub to the mean of its corners, and says which attitude fits these best; where a fold in half leaves that
     /// open, the one nearest to `before`.
-    fn nearest_turn(&self, cut_web: &CutWeb, before: DMat3, packed: &mut [DVec3]) -> DMat3 {
+    pub(super) fn fit_corners(&self, cut_web: &CutWeb, before: DMat3, packed: &mut [DVec3]) -> DMat3 {
         let canopy = &cut_web.web.canopies[self.canopy];
         let middle = canopy.rim.iter().map(|&knot| packed[knot]).sum::<DVec3>() / canopy.rim.len() as f64;
         let mut columns = [DVec3::ZERO; 2];

@@ -18,6 +18,7 @@ use glam::{DVec2, DVec3, dvec2};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
+use super::ties::{self, Tie};
 use crate::CutWeb;
 
 /// How a packed web differs from its pattern.
@@ -33,12 +34,6 @@ pub struct Imperfection {
     pub seed: u64,
 }
 
-/// Two nodes that may not come farther apart than a length, m.
-struct Tie {
-    ends: [usize; 2],
-    length: f64,
-}
-
 /// What a tie may be longer than its rest length by, relative, for rounding not to shrink a web that is none the worse
 /// for it.
 const ROUNDING: f64 = 1e-12;
@@ -46,7 +41,8 @@ const ROUNDING: f64 = 1e-12;
 impl Imperfection {
     /// Disturbs the nodes of a packed web that are listed in `is_part`.
     pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
-        let ties = ties(cut_web, is_part);
+        let is_within = |tie: &Tie| tie.ends.iter().all(|&end| is_part[end]);
+        let ties: Vec<Tie> = ties::of_ropes(cut_web).chain(ties::of_canopies(cut_web)).filter(is_within).collect();
         let parts: Vec<usize> = (0..packed.len()).filter(|&node| is_part[node]).collect();
         let top = parts.iter().map(|&node| packed[node].z).fold(f64::NEG_INFINITY, f64::max);
         let bottom = parts.iter().map(|&node| packed[node].z).fold(f64::INFINITY, f64::min);
@@ -133,17 +129,6 @@ fn normal_pair(random: &mut ChaCha8Rng) -> DVec2 {
     let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
     let angle = TAU * uniform();
     dvec2(radius * libm::cos(angle), radius * libm::sin(angle))
-}
-
-fn ties(cut_web: &CutWeb, is_part: &[bool]) -> Vec<Tie> {
-    let segments = cut_web.segments().map(|segment| Tie { ends: [segment.a, segment.b], length: segment.rest_length });
-    let plates = cut_web.web.canopies.iter().flat_map(|canopy| {
-        let knots: Vec<usize> = canopy.rim.into_iter().chain([canopy.hub]).collect();
-        let pairs = (0..knots.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
-        pairs.map(|(one, other)| [knots[one], knots[other]]).collect::<Vec<_>>()
-    });
-    let plates = plates.map(|[a, b]| Tie { ends: [a, b], length: cut_web.nodes[a].distance(cut_web.nodes[b]) });
-    segments.chain(plates).filter(|tie| tie.ends.iter().all(|&end| is_part[end])).collect()
 }
 
 #[cfg(test)]
