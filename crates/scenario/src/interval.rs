@@ -1,6 +1,6 @@
 //! Which values a quantity may take: intervals, and the marker types that carry them in a field's type.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Bound, RangeBounds};
 
 use serde_json::{Map, Value};
@@ -114,6 +114,8 @@ intervals! {
     BoundaryLayer: Bound::Included(0.0), Bound::Included(2000.0);
     /// More than nothing and less than half a turn: 0 to 180 deg.
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
+    /// More than nothing and at most a turn: 0 to 360 deg.
+    WholeTurn: Bound::Excluded(0.0), Bound::Included(TAU);
     /// From straight down to straight up: -90 deg to 90 deg.
     QuarterTurns: Bound::Included(-FRAC_PI_2), Bound::Included(FRAC_PI_2);
 }

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{Fraction, NonNegative, Positive, UpToOne};
-use crate::quantity::{Angle, Length, Number};
+use crate::interval::{Fraction, NonNegative, Positive, UpToOne, WholeTurn};
+use crate::quantity::{Angle, Length, Number, Time};
 
 /// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -189,13 +189,33 @@ pub struct Imperfect {
     pub twist: Angle,
     /// By how much the web is shrunk beforehand, so that ropes have room to move.
     pub slack: Number<Fraction>,
-    /// What the scatter is drawn from.
+    /// A sector of the web that stays where it is stowed for a while. Left out: none does.
+    pub late_sector: Option<LateSector>,
+    /// What the scatter, and a late sector's direction, are drawn from.
     pub seed: u32,
+}
+
+/// `[stow.imperfection.late_sector]`: it catches in its container, and starts from rest when that lets go of it at once.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LateSector {
+    /// From edge to edge, about the launch axis of the flat web, rad.
+    pub width: Angle<WholeTurn>,
+    /// When it is let go of, s.
+    pub until: Time<Positive>,
+    /// Direction of its middle line, anticlockwise from x of the flat web, rad. Left out: drawn from the seed.
+    pub direction: Option<Angle>,
 }
 
 impl Default for Imperfect {
     fn default() -> Self {
-        Self { scatter: Length::constant(0.0), twist: Angle::constant(0.0), slack: Number::constant(0.02), seed: 0 }
+        Self {
+            scatter: Length::constant(0.0),
+            twist: Angle::constant(0.0),
+            slack: Number::constant(0.02),
+            late_sector: None,
+            seed: 0,
+        }
     }
 }
 

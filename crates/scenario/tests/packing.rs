@@ -99,3 +99,46 @@ fn a_seed_is_one_packing_and_another_seed_another() {
     assert_eq!(at(3), at(3));
     assert_ne!(at(3), at(4));
 }
+
+#[test]
+fn a_late_sector_stays_where_it_is_stowed_and_its_tractors_do_not() {
+    let late = |rest: &str| {
+        model(&format!(
+            "[stow.bag]\nradius = \"0.2 m\"\n[launch]\naxial_speed = \"20 m/s\"\n[stow.imperfection]\n\
+             late_sector = {{ width = \"90 deg\", until = \"4 ms\"{rest} }}\n"
+        ))
+        .unwrap()
+    };
+    let about_x = late(", direction = 0");
+    let launchers = about_x.system.launchers();
+    let on_a_traction_rope = |node: usize| !about_x.cut.is_web()[node];
+    let is_in = |node: usize| {
+        let place = about_x.cut.nodes[node] - about_x.cut.web.middle;
+        place.x >= place.y.abs() - 1e-6 && !on_a_traction_rope(node)
+    };
+    let expected: Vec<usize> = (0..about_x.cut.nodes.len()).filter(|&node| is_in(node)).collect();
+    assert_eq!(launchers.iter().map(|launcher| launcher.node).collect::<Vec<_>>(), expected);
+    assert!(launchers.iter().all(|launcher| launcher.at == 4e-3));
+    assert!(about_x.notes.iter().any(|note| note.contains("a sector 90 deg wide about 0 deg")), "{:?}", about_x.notes);
+    assert!(about_x.tractors.iter().all(|&tractor| about_x.state.velocity[tractor].length() > 19.0));
+    // which one is left to chance: the seed's
+    let held = |seed: u32| {
+        let text = format!(
+            "[stow.bag]\nradius = \"0.2 m\"\n[stow.imperfection]\nseed = {seed}\nlate_sector = {{ width = 1, until = 1 }}"
+        );
+        model(&text).unwrap().system.launchers().to_vec()
+    };
+    assert_eq!(held(3), held(3));
+    assert_ne!(held(3), held(4));
+}
+
+#[test]
+fn a_late_sector_that_cannot_be_is_told() {
+    let late = |rest: &str| told(&format!("[stow.bag]\nradius = 0.2\n[stow.imperfection]\nlate_sector = {rest}\n"));
+    let found = late("{ width = \"400 deg\", until = 1 }");
+    assert!(found.contains("late_sector.width: expected an angle greater than 0 deg and at most 360 deg"), "{found}");
+    let found = late("{ width = 1 }");
+    assert!(found.contains("late_sector.until: missing key `until`"), "{found}");
+    let found = late("{ width = 1, until = 1 }\n[launch]\nspin = \"3 rad/s\"");
+    assert!(found.contains("stow.imperfection.late_sector: what spins at the start is launched at once"), "{found}");
+}

@@ -89,7 +89,8 @@ pub struct CutWeb {
     pub nodes: Vec<DVec3>,
     /// Its ropes as cut; one for each of the web's ropes, in the same order.
     pub ropes: Vec<CutRope>,
-    added: Vec<String>,
+    /// Canopy and label of each node that was added.
+    added: Vec<(usize, String)>,
 }
 
 /// Cuts every rope into equal segments.
@@ -134,11 +135,24 @@ fn segment_counts(web: &Web, cutting: &Cutting) -> Result<Vec<usize>, CutError> 
 }
 
 impl CutWeb {
-    /// Adds a node at this place in the flat web, m, that no rope runs through. `label` is what a message calls it.
-    pub fn add_node(&mut self, place: DVec3, label: String) -> usize {
+    /// Adds a node to a canopy, at this place in the flat web, m; no rope runs through it. `label` is what a message calls
+    /// it.
+    pub fn add_node(&mut self, canopy: usize, place: DVec3, label: String) -> usize {
         self.nodes.push(place);
-        self.added.push(label);
+        self.added.push((canopy, label));
         self.nodes.len() - 1
+    }
+
+    /// The nodes of each canopy: its hub, its corners, and those that were added to it.
+    pub fn canopy_nodes(&self) -> Vec<Vec<usize>> {
+        let canopies = self.web.canopies.iter();
+        let mut nodes: Vec<Vec<usize>> =
+            canopies.map(|canopy| [canopy.hub].into_iter().chain(canopy.rim).collect()).collect();
+        let first_added = self.nodes.len() - self.added.len();
+        for (node, (canopy, _)) in (first_added..).zip(&self.added) {
+            nodes[*canopy].push(node);
+        }
+        nodes
     }
 
     /// The nodes of a rope from its knot `a` to its knot `b`.
@@ -204,7 +218,7 @@ impl CutWeb {
         }
         let first_added = self.nodes.len() - self.added.len();
         if node >= first_added {
-            return self.added[node - first_added].clone();
+            return self.added[node - first_added].1.clone();
         }
         // the last rope to begin at or before this node has it: ropes of one segment begin where the next does
         let rope = self.ropes.partition_point(|rope| rope.first_interior <= node) - 1;

@@ -59,8 +59,8 @@ pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{
-    Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, LongestStretch, Mouth,
-    PackingError, Pattern, Scale, Size, StiffPlate, StowedSegment, audit, closeness,
+    Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, Led, LongestStretch, Mouth,
+    PackingError, Pattern, Prescribed, Scale, Sector, Settled, Size, StiffPlate, StowedSegment, audit, closeness,
 };
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};

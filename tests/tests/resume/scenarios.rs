@@ -527,7 +527,7 @@ rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
 tractor.particle.mass = "0.3 kg"
 traction_rope.length = "0.5 m"
 stow.zigzag = { along = "rings", spacing = "5 mm", tractor_radius = "0.2 m", tractor_gap = "0.1 m", container.cylinder = { radius = "0.2 m", height = "0.4 m" } }
-stow.imperfection = { scatter = "4 mm", twist = "20 deg", slack = "3 %", seed = 7 }
+stow.imperfection = { scatter = "4 mm", twist = "20 deg", slack = "3 %", seed = 7, late_sector = { width = "80 deg", until = "3 ms", direction = "20 deg" } }
 launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
 solve = { duration = "30 ms", segment_length = "0.25 m" }
 record.every = "2 ms"

@@ -22,6 +22,9 @@ const STOPS: [[u8; 3]; 9] = [
 /// How many colours tension is shown in.
 pub(crate) const BINS: usize = 12;
 
+/// Below that a rope is slack, N: it hangs straight, and what it bears is rounding of its length.
+pub(crate) const SLACK_BELOW: f64 = 1e-6;
+
 /// The bins of tension that a set of pictures shares.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TensionScale {
@@ -39,7 +42,7 @@ impl TensionScale {
     /// The bin of a tension in N; none for a slack rope. What lies beyond the ends is in the end bins.
     pub fn bin(&self, tension: f64) -> Option<usize> {
         let passed = self.edges[1..BINS].iter().filter(|&&edge| tension >= edge).count();
-        (tension > 0.0).then_some(passed)
+        (tension >= SLACK_BELOW).then_some(passed)
     }
 
     /// Limits of the bins, N, rising.
@@ -85,6 +88,7 @@ mod tests {
         assert_eq!(scale.bin(1e5), Some(BINS - 1));
         assert_eq!(scale.bin(1e9), Some(BINS - 1));
         assert_eq!(scale.bin(1e-6), Some(0));
+        assert_eq!(scale.bin(1e-9), None);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::colour::SLACK_BELOW;
 use super::strands::is_rope;
 use crate::results::{Results, Scene};
 
@@ -60,10 +61,11 @@ pub(crate) fn tensions(results: &Results, scene: &Scene, count: usize) -> Vec<Mo
     chosen(results, scene, &wanted, count)
 }
 
-/// The highest tension of any rope in a frame, N.
+/// The highest tension of any rope in a frame, N; 0 where all are slack.
 pub(crate) fn highest_tension(scene: &Scene, frame: usize) -> f64 {
     let tensions = scene.fields.tensions(frame).iter().enumerate();
-    tensions.filter(|(segment, _)| is_rope(scene, *segment)).map(|(_, &tension)| tension).fold(0.0, f64::max)
+    let of_ropes = tensions.filter(|(segment, _)| is_rope(scene, *segment)).map(|(_, &tension)| tension);
+    of_ropes.filter(|&tension| tension >= SLACK_BELOW).fold(0.0, f64::max)
 }
 
 /// The most wanted of some moments, filled up in the widest gaps between them.

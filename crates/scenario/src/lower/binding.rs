@@ -79,7 +79,7 @@ impl Binding {
         self.nodes.iter().for_each(|&node| mass[node] = 0.0);
         mass.push(total);
         let inertia = DVec3::new(mean + radius, mean - radius, zz);
-        let centre = cut.add_node(centre, format!("the centre of {}", self.label));
+        let centre = cut.add_node(self.canopy, centre, format!("the centre of {}", self.label));
         Bound { canopy: self.canopy, body: Body { centre, inertia, ties }, axes }
     }
 }
@@ -95,7 +95,7 @@ mod tests {
         let mut mass = vec![1.0; net.nodes.len()];
         let nodes = places.iter().map(|&(x, y, m)| {
             mass.push(m);
-            net.add_node(DVec3::new(x, y, 0.0), "a node".into())
+            net.add_node(0, DVec3::new(x, y, 0.0), "a node".into())
         });
         let binding = Binding { canopy: 0, label: "it".into(), nodes: nodes.collect(), lumps };
         let bound = binding.bind(&mut net, &mut mass);

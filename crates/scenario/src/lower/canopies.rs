@@ -78,6 +78,14 @@ impl Canopies {
         false
     }
 
+    /// What lies flat in a folded web: plates, and cloth too, for its triangles are larger than a fold's bends.
+    pub fn laid_in_folds(&self) -> Vec<StiffPlate> {
+        let is_plate = |canopy: usize| self.plates.iter().any(|plate| plate.canopy == canopy);
+        let cloth = self.sheets.iter().enumerate().filter(|(canopy, _)| !is_plate(*canopy));
+        let cloth = cloth.map(|(canopy, sheet)| StiffPlate { canopy, nodes: sheet.nodes.clone() });
+        self.plates.iter().cloned().chain(cloth).collect()
+    }
+
     /// Binds what is to be bound, once all nodes have their masses, kg; adds nodes in the centres.
     pub fn bind(&mut self, cut: &mut CutWeb, mass: &mut Vec<f64>) {
         for binding in self.bindings.drain(..) {
@@ -169,7 +177,7 @@ fn mesh_nodes(mesh: &Sheet, canopy: usize, cut: &mut CutWeb, mass: &mut Vec<f64>
             return hexagon.rim[corner];
         }
         mass.push(0.0);
-        cut.add_node(middle + place.extend(0.0), format!("node {index} of canopy {}", hexagon.number))
+        cut.add_node(canopy, middle + place.extend(0.0), format!("node {index} of canopy {}", hexagon.number))
     };
     mesh.nodes.iter().enumerate().map(&mut node).collect()
 }

@@ -162,6 +162,9 @@ fn contradictions(document: &Document, scenario: &Scenario) -> Vec<Diagnostic> {
         let mut given: Vec<String> = parts.into_iter().filter(|part| part.1).map(|part| part.0.to_owned()).collect();
         given.extend(own("delay", |tractor| tractor.delay.is_some_and(|delay| delay.si() > 0.0)));
         given.extend((!scenario.covers.is_empty()).then(|| "covers".to_owned()));
+        let imperfection = scenario.stow.as_ref().and_then(|stowage| stowage.imperfection.as_ref());
+        let is_late = imperfection.is_some_and(|imperfect| imperfect.late_sector.is_some());
+        given.extend(is_late.then(|| "stow.imperfection.late_sector".to_owned()));
         found.extend(given.iter().map(|path| {
             let message = "what spins at the start is launched at once, and from no tube";
             document.diagnostic(path, message).with_help("leave it out, or `launch.spin`")

@@ -241,7 +241,7 @@ impl Model {
         release::throw(&mut throws, &mut parts, &mut state);
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * (frame * DVec3::Z), &parts, &mut state);
-        release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
+        release::hold_back(document, &cut, &scenario, &tractors, &mut notes, (&mut parts, &mut state))?;
         ground::lay(document, &cut, &mut scenario, &materials.bodies, (&mut parts, &state))?;
         let made = air::Made {
             cut: &cut,

@@ -1,11 +1,11 @@
-//! What is let go of, and when: tractors from their launchers, the web from under its covers; and the spin of all that is
-//! launched at once.
+//! What is let go of, and when: tractors from their launchers, the web from under its covers, a sector of it that catches;
+//! and the spin of all that is launched at once.
 
 use glam::DVec3;
 use netcast_dynamics::launcher::{Launcher, Means, Tube};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::SystemParts;
-use netcast_webs::CutWeb;
+use netcast_webs::{CutWeb, Sector};
 
 use super::launch::{Throw, Thrown};
 use super::unknown_knot;
@@ -47,23 +47,23 @@ pub fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
     }
 }
 
-/// Holds what lies under covers until the last of them opens. `tractors` are their nodes.
-pub fn cover(
+/// Holds what lies under covers, and a sector that is late, until the last of them lets go. `tractors` are their nodes.
+pub fn hold_back(
     document: &Document,
     cut: &CutWeb,
     scenario: &Scenario,
     tractors: &[usize],
-    parts: &mut SystemParts,
-    state: &mut State,
+    notes: &mut Vec<String>,
+    (parts, state): (&mut SystemParts, &mut State),
 ) -> Result<(), Diagnostics> {
     let mut opens = vec![0.0f64; parts.mass.len()];
+    let mut is_web = vec![true; parts.mass.len()];
+    let on_traction_ropes = cut.web.traction.iter().flatten().flat_map(|&rope| cut.ropes[rope].interior());
+    on_traction_ropes.chain(tractors.iter().copied()).for_each(|node| is_web[node] = false);
     let mut found = Vec::new();
     for (index, cover) in scenario.covers.iter().enumerate() {
         let mut put = |node: usize| opens[node] = opens[node].max(cover.opens.si());
         let Some(named) = &cover.nodes else {
-            let mut is_web = vec![true; parts.mass.len()];
-            let on_traction_ropes = cut.web.traction.iter().flatten().flat_map(|&rope| cut.ropes[rope].interior());
-            on_traction_ropes.chain(tractors.iter().copied()).for_each(|node| is_web[node] = false);
             (0..is_web.len()).filter(|&node| is_web[node]).for_each(put);
             continue;
         };
@@ -79,6 +79,20 @@ pub fn cover(
         }
     }
     Diagnostics::fail_if_any(found)?;
+    if let Some((sector, until)) = late_sector(scenario) {
+        let mut late = 0;
+        for (node, _) in sector.of(cut).iter().enumerate().filter(|&(node, &is_in)| is_in && is_web[node]) {
+            opens[node] = opens[node].max(until);
+            late += 1;
+        }
+        let Sector { direction, width } = sector;
+        notes.push(format!(
+            "a sector {:.0} deg wide about {:.0} deg from x of the flat web, {late} nodes, is held where it is stowed until \
+             {until} s",
+            width.to_degrees(),
+            direction.to_degrees()
+        ));
+    }
     for (node, &at) in opens.iter().enumerate() {
         // what a body carries is where its body is
         if at > 0.0 && !parts.held[node] && parts.mass[node] > 0.0 {
@@ -87,4 +101,16 @@ pub fn cover(
         }
     }
     Ok(())
+}
+
+/// The sector of the web that stays in its container for a while, and until when, s.
+fn late_sector(scenario: &Scenario) -> Option<(Sector, f64)> {
+    let imperfection = scenario.stow.as_ref()?.imperfection.as_ref()?;
+    let late = imperfection.late_sector.as_ref()?;
+    let width = late.width.si();
+    let sector = match late.direction {
+        Some(direction) => Sector { direction: direction.si(), width },
+        None => Sector::by_chance(width, imperfection.seed.into()),
+    };
+    Some((sector, late.until.si()))
 }

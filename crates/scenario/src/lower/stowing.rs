@@ -89,9 +89,18 @@ pub fn stow(
         document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
     })?;
     let mut positions = packed;
-    let Pattern::Given(given) = &pattern else {
-        StiffPlate::lay(&canopies.plates, cut, &mut positions);
-        return Ok(Stowed { positions, turns });
+    let given = match &pattern {
+        Pattern::Given(given) => given,
+        Pattern::Folded(_) => {
+            let plates = canopies.laid_in_folds();
+            let turned = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
+            plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
+            return Ok(Stowed { positions, turns });
+        }
+        Pattern::Scale(_) | Pattern::Bag(_) => {
+            StiffPlate::lay(&canopies.plates, cut, &mut positions);
+            return Ok(Stowed { positions, turns });
+        }
     };
     for sheet in &canopies.sheets {
         spread(sheet, given, &cut.nodes, &mut positions);

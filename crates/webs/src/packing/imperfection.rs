@@ -5,7 +5,8 @@
 //! 2. The web is shrunk towards the axis at its top: by as much as the twist stretched any tie, so that none is
 //!    stretched any more, and then by `slack`.
 //! 3. Node by node, in order, each is moved aside, normal to the axis, by two normal deviates of standard deviation
-//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none.
+//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none. The nodes of
+//!    a canopy move as one: cloth is not stretched by that, and a plate not bent.
 //!
 //! A tie is a segment of rope, or a pair of knots of one canopy: at most its rest length apart before, it is so after
 //! each of these. Deviates come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), and elementary
@@ -17,6 +18,7 @@ use glam::{DVec2, DVec3, dvec2};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
+use super::ties::{self, Tie};
 use crate::CutWeb;
 
 /// How a packed web differs from its pattern.
@@ -32,12 +34,6 @@ pub struct Imperfection {
     pub seed: u64,
 }
 
-/// Two nodes that may not come farther apart than a length, m.
-struct Tie {
-    ends: [usize; 2],
-    length: f64,
-}
-
 /// What a tie may be longer than its rest length by, relative, for rounding not to shrink a web that is none the worse
 /// for it.
 const ROUNDING: f64 = 1e-12;
@@ -45,7 +41,8 @@ const ROUNDING: f64 = 1e-12;
 impl Imperfection {
     /// Disturbs the nodes of a packed web that are listed in `is_part`.
     pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
-        let ties = ties(cut_web, is_part);
+        let is_within = |tie: &Tie| tie.ends.iter().all(|&end| is_part[end]);
+        let ties: Vec<Tie> = ties::of_ropes(cut_web).chain(ties::of_canopies(cut_web)).filter(is_within).collect();
         let parts: Vec<usize> = (0..packed.len()).filter(|&node| is_part[node]).collect();
         let top = parts.iter().map(|&node| packed[node].z).fold(f64::NEG_INFINITY, f64::max);
         let bottom = parts.iter().map(|&node| packed[node].z).fold(f64::INFINITY, f64::min);
@@ -63,20 +60,32 @@ impl Imperfection {
         for &node in &parts {
             packed[node] = anchor + (packed[node] - anchor) * factor;
         }
-        self.scatter(&parts, &Neighbours::of(&ties, packed.len()), packed);
+        self.scatter(&groups(cut_web, &parts), &Neighbours::of(&ties, packed.len()), packed);
     }
 
-    fn scatter(&self, parts: &[usize], neighbours: &Neighbours, packed: &mut [DVec3]) {
+    fn scatter(&self, groups: &[Vec<usize>], neighbours: &Neighbours, packed: &mut [DVec3]) {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        for &node in parts {
+        for group in groups {
             let way = (self.scatter * normal_pair(&mut random)).extend(0.0);
-            let allowed = neighbours
-                .of_node(node)
-                .map(|&(other, length)| reach(packed[node] - packed[other], way, length))
+            let allowed = group
+                .iter()
+                .flat_map(|&node| neighbours.of_node(node).map(move |tie| (node, tie)))
+                .filter(|(_, (other, _))| !group.contains(other))
+                .map(|(node, &(other, length))| reach(packed[node] - packed[other], way, length))
                 .fold(1.0, f64::min);
-            packed[node] += way * allowed;
+            group.iter().for_each(|&node| packed[node] += way * allowed);
         }
     }
+}
+
+/// What moves as one, in the order of the first node of each.
+fn groups(cut_web: &CutWeb, parts: &[usize]) -> Vec<Vec<usize>> {
+    let mut groups = cut_web.canopy_nodes();
+    let mut is_grouped = vec![false; cut_web.nodes.len()];
+    groups.iter().flatten().for_each(|&node| is_grouped[node] = true);
+    groups.extend(parts.iter().filter(|&&node| !is_grouped[node]).map(|&node| vec![node]));
+    groups.sort_by_key(|group| group.iter().copied().min());
+    groups
 }
 
 /// The nodes tied to each node, and how far they may be apart, m.
@@ -120,17 +129,6 @@ fn normal_pair(random: &mut ChaCha8Rng) -> DVec2 {
     let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
     let angle = TAU * uniform();
     dvec2(radius * libm::cos(angle), radius * libm::sin(angle))
-}
-
-fn ties(cut_web: &CutWeb, is_part: &[bool]) -> Vec<Tie> {
-    let segments = cut_web.segments().map(|segment| Tie { ends: [segment.a, segment.b], length: segment.rest_length });
-    let plates = cut_web.web.canopies.iter().flat_map(|canopy| {
-        let knots: Vec<usize> = canopy.rim.into_iter().chain([canopy.hub]).collect();
-        let pairs = (0..knots.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
-        pairs.map(|(one, other)| [knots[one], knots[other]]).collect::<Vec<_>>()
-    });
-    let plates = plates.map(|[a, b]| Tie { ends: [a, b], length: cut_web.nodes[a].distance(cut_web.nodes[b]) });
-    segments.chain(plates).filter(|tie| tie.ends.iter().all(|&end| is_part[end])).collect()
 }
 
 #[cfg(test)]

@@ -9,14 +9,18 @@ mod bend;
 mod closeness;
 mod container;
 mod folded;
+mod folded_plates;
 mod folds;
 mod given;
 mod imperfection;
 mod mouth;
 mod plate;
+mod prescribed;
 mod rings;
 mod scale;
+mod sector;
 mod star;
+mod ties;
 
 pub use audit::{Audit, LongestStretch, Size, StowedSegment, audit};
 pub use bag::Bag;
@@ -27,7 +31,9 @@ pub use given::Given;
 pub use imperfection::Imperfection;
 pub use mouth::Mouth;
 pub use plate::StiffPlate;
+pub use prescribed::{Led, Prescribed, Settled};
 pub use scale::Scale;
+pub use sector::Sector;
 
 use glam::DVec3;
 
@@ -145,6 +151,9 @@ pub enum PackingError {
         /// The smallest of its proportions that does.
         enough: Option<Container>,
     },
+    /// Nothing is led into the container.
+    #[error("the web has no outline that could be drawn in")]
+    NothingLed,
     /// There are more or fewer positions than nodes.
     #[error("{given} positions were given for {nodes} nodes")]
     Count {

@@ -1,8 +1,8 @@
 //! Stiff canopies in a packed web: patterns move every point for itself, as cloth lets itself be moved; a plate keeps
 //! its shape.
 //!
-//! A plate is put where the pattern puts its middle, and stays parallel to the flat web; ropes tied to it run straight
-//! from tie to tie. Between two plates of side s whose middles are L apart in the flat web, a rope is L - sqrt(3) s long.
+//! In a scaled web and in a bag a plate is put where the pattern puts its middle, and stays parallel to the flat web (in
+//! folds: `folded_plates.rs`); ropes tied to it run straight from tie to tie. Between two plates of side s whose middles are L apart in the flat web, a rope is L - sqrt(3) s long.
 //! Where the pattern brings the middles to q L along the same line, its ties are |q L - sqrt(3) s| apart: no q from 0 to 1
 //! stretches it as long as L > 2 sqrt(3) s. In a deep bag the middles stand one above the other and the ties can be
 //! farther apart; the audit tells. Plates lie across one another as they come, for nothing here knows of contact.
@@ -62,7 +62,7 @@ impl StiffPlate {
         Ok(turn)
     }
 
-    fn place(&self, cut_web: &CutWeb, turn: DMat3, packed: &mut [DVec3]) {
+    pub(super) fn place(&self, cut_web: &CutWeb, turn: DMat3, packed: &mut [DVec3]) {
         let hub = cut_web.web.canopies[self.canopy].hub;
         let middle = packed[hub];
         for &node in &self.nodes {

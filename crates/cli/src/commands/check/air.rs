@@ -59,7 +59,7 @@ fn wind(model: &Model, air: &Air) -> Option<String> {
     if asked.series.is_some() {
         return Some(format!("as measured, at most {most} m/s"));
     }
-    let up = WEATHER_HEIGHT - asked.muzzle_height.si();
+    let up = WEATHER_HEIGHT - asked.muzzle_height.map_or(0.0, |height| height.si());
     let [here, above] = [0.0, up].map(|height| number(air.wind.mean.at(height), 3));
     let towards = number(asked.azimuth.map_or(0.0, |azimuth| azimuth.si().to_degrees()), 3);
     let changes = match asked.gust.is_some() || asked.turbulence.is_some() {
