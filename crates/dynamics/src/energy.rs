@@ -29,7 +29,7 @@ pub struct Ledger {
     pub sheet_damping: f64,
     /// Lost to hysteresis of ropes since the start.
     pub rope_hysteresis: f64,
-    /// Elastic energy of the segments that broke since the start, as they broke.
+    /// Elastic energy of the segments that broke since the start, and of the bends over them, as they broke.
     pub rupture: f64,
     /// Lost to mass-proportional damping since the start.
     pub mass_damping: f64,
@@ -69,7 +69,7 @@ impl Ledger {
             }
             ledger.rope_hysteresis += law.hysteresis(&axial, &memory);
         }
-        ledger.elastic += elements::elastic_energy(system.bends(), position)
+        ledger.elastic += elements::elastic_energy(system.unbroken_bends(&ropes.broken), position)
             + elements::elastic_energy(system.membranes(), position)
             + elements::elastic_energy(system.hinges(), position);
         ledger
@@ -205,6 +205,7 @@ impl Losses {
         self.load += sums.load_work;
         self.drive += sums.drive_work;
         self.launch += sums.launch_work;
+        self.rupture += sums.bent_rupture;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {
@@ -273,7 +274,7 @@ mod tests {
             ("rope_damping", segments.len() + bends.len()),
             ("sheet_damping", membranes.len() + hinges.len()),
             ("rope_hysteresis", laws.len()),
-            ("rupture", segments.len()),
+            ("rupture", segments.len() + bends.len()),
             ("mass_damping", mass_damping as usize),
             ("drive", drives.len()),
             ("launch", launchers.len()),

@@ -99,6 +99,8 @@ pub struct AttachedSums {
     pub sheet_work: f64,
     /// Work that the net has done on its launchers, J.
     pub launch_work: f64,
+    /// Elastic energy of the bends that go with segments which break, J.
+    pub rupture: f64,
 }
 
 impl<'a> Attached<'a> {
@@ -206,6 +208,21 @@ impl<'a> Attached<'a> {
         };
     }
 
+    /// Lets bends go with the segments that break at these forces; they have acted for the last time.
+    pub fn part(&mut self, failing: impl IntoIterator<Item = usize>) {
+        for segment in failing {
+            for &bend in self.system.bends_over(segment) {
+                self.sums.rupture += self.bends.leave(bend).unwrap_or(0.0);
+            }
+        }
+    }
+
+    /// Takes out the bends over segments that are broken, (segments,).
+    pub fn put_broken(&mut self, broken: &[bool]) {
+        let broken = (0..broken.len()).filter(|&segment| broken[segment]);
+        broken.flat_map(|segment| self.system.bends_over(segment)).for_each(|&bend| self.bends.remove(bend));
+    }
+
     /// The force of a body's ties on it, of nodes on their drives, of launchers on their nodes. `pull` tells the force
     /// of ropes on a node, added to what is given; `moving` tells where a node is, and its half-step velocity.
     pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
@@ -287,6 +304,7 @@ impl<'a> Attached<'a> {
     /// carried and how it moves now. `moving` tells how a node moves after this step.
     pub fn carry(&mut self, time: f64, moving: impl Fn(usize) -> Moving) -> &[(usize, Moving)] {
         let (system, dt) = (self.system, self.factors.dt);
+        self.bends.let_go();
         let mut let_go = Vec::new();
         let when = (time, self.time == 0.0);
         self.launching.advance(system.launchers(), &self.thrusts, self.factors, when, |node, velocity| {

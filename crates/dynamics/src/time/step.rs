@@ -111,6 +111,8 @@ pub struct StepSums {
     pub failing: usize,
     /// Work done on launchers since the forces before, J.
     pub launch_work: f64,
+    /// Elastic energy of the bends that go with segments which break in this step, J.
+    pub bent_rupture: f64,
 }
 
 /// A net in motion.
@@ -197,11 +199,7 @@ impl<'a> Stepper<'a> {
 
     /// The segments that break under the last tensions.
     pub fn failing(&self) -> impl Iterator<Item = Failure> {
-        self.ropes.iter().zip(self.system.layout().blocks()).flat_map(|(ropes, plan)| {
-            let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-            let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
-            ropes.failing.iter().map(told)
-        })
+        failing(&self.ropes, self.system)
     }
 
     /// A net whose nodes are nowhere yet.
@@ -286,6 +284,9 @@ impl<'a> Stepper<'a> {
                 ropes.remove(slot);
             }
         }
+        if let Some(attached) = &mut self.attached {
+            attached.put_broken(&state.broken);
+        }
     }
 
     fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
@@ -337,6 +338,7 @@ impl<'a> Stepper<'a> {
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
         attached.act(&self.team, self.taken as f64 * dt, moving);
+        attached.part(failing(ropes, self.system).map(|failure| failure.segment));
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
             moving,
@@ -359,7 +361,7 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums { load_work, drive_work, turning, bending_work, sheet_work, launch_work } =
+        let AttachedSums { load_work, drive_work, turning, bending_work, sheet_work, launch_work, rupture } =
             self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
@@ -369,6 +371,7 @@ impl<'a> Stepper<'a> {
             sheet_work,
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
             launch_work,
+            bent_rupture: rupture,
         }
     }
 
@@ -482,4 +485,13 @@ impl<'a> Stepper<'a> {
             }
         }
     }
+}
+
+/// The segments that break under the last tensions of these blocks.
+fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = Failure> + use<'r> {
+    ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
+        let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
+        let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+        ropes.failing.iter().map(told)
+    })
 }
