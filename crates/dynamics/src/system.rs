@@ -100,7 +100,7 @@ pub struct SystemParts {
     pub loads: Vec<Load>,
     /// Rigid bodies.
     pub bodies: Vec<Body>,
-    /// Nodes that are moved along paths; they are held as well.
+    /// Nodes that are moved along paths; they are held as well. The centre of a body must be that of its mass.
     pub drives: Vec<Drive>,
     /// What holds nodes and throws them.
     pub launchers: Vec<Launcher>,

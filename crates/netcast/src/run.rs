@@ -373,7 +373,7 @@ impl Ended<'_> {
                 nodes: system.mass().len(),
                 segments: system.segments().len(),
                 rope_length_m: bill.length_by_class.values().sum(),
-                web_mass_kg: system.mass().iter().sum::<f64>() - bill.tractor_mass,
+                web_mass_kg: model.mass - bill.tractor_mass,
                 tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
             },
             step: summary::Step {

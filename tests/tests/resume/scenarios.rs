@@ -273,8 +273,8 @@ solve.static = { then_run = false }
         r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
-tractor.particle.mass = "0.3 kg"
-traction_rope.length = "0.3 m"
+tractor.cylinder = { diameter = "40 mm", height = "60 mm", mass = "0.3 kg" }
+traction_rope = { length = "0.3 m", tied_at = "rear" }
 load.drag = { force = [0, 0, "-2 N"], corners = true, tractors = true }
 load.lift = { force = [0, 0, "4 N"], corners = false, tractors = false, points = ["B"] }
 drive.up = { path = [{ time = "20 ms", by = [0, 0, "0.5 m"] }], tractors = true, corners = false }

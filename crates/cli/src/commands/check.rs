@@ -80,7 +80,7 @@ fn bill(model: &Model) {
         lines.push((name.into(), format!("{count}, {} kg", number(mass, 4))));
     }
     lines.push(("web without traction ropes".into(), format!("{} kg", number(bill.web_mass(), 4))));
-    lines.push(("thrown in all".into(), format!("{} kg", number(model.system.mass().iter().sum(), 4))));
+    lines.push(("thrown in all".into(), format!("{} kg", number(model.mass, 4))));
     lines.push((
         "packed volume".into(),
         format!("{} litres, {} % of it solid", number(1e3 * bill.packed_volume, 3), number(100.0 * PACKED_FILL, 2)),

@@ -311,25 +311,26 @@ impl<'a> Attached<'a> {
             let_go.push((node, Moving { w: velocity, ..moving(node) }));
         });
         self.time = time;
+        self.carried.truncate(self.carried_always);
+        let ties = self.carried_always - system.drives().len();
+        let (ties, driven) = self.carried.split_at_mut(ties);
+        for (drive, (_, driven)) in system.drives().iter().zip(driven.iter_mut()) {
+            let x = drive.at(time);
+            let v = (x - driven.x) / dt;
+            *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
+        }
         let centre = |node: usize| {
-            let own = let_go.iter().find(|(own, _)| *own == node);
+            let own = driven.iter().chain(&let_go).find(|(own, _)| *own == node);
             own.map_or_else(|| moving(node), |(_, moving)| *moving)
         };
-        self.carried.truncate(self.carried_always);
-        let mut carried = self.carried.iter_mut().map(|(_, moving)| moving);
-        let mut next = || carried.next().expect("everything that is carried has a place");
+        let mut ties = ties.iter_mut().map(|(_, moving)| moving);
+        let mut next = || ties.next().expect("every tie has a place");
         for ((body, turning), torque) in system.bodies().iter().zip(&mut self.turning).zip(&self.torque) {
             turning.turn(body, *torque, self.factors);
             for_each_tie(body, turning, centre(body.centre), |_, moving| {
                 let tie = next();
                 *tie = Moving { v: (moving.x - tie.x) / dt, ..moving };
             });
-        }
-        for drive in system.drives() {
-            let driven = next();
-            let x = drive.at(time);
-            let v = (x - driven.x) / dt;
-            *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
         }
         self.carried.extend(let_go);
         &self.carried

@@ -107,6 +107,8 @@ pub struct Model {
     pub scenario: Scenario,
     /// What is simulated.
     pub system: System,
+    /// The mass of it all, kg; in the system what is driven has none.
+    pub mass: f64,
     /// Where it starts, world frame.
     pub state: State,
     /// The web as drawn and cut; node k of the system is node k of the web.
@@ -169,15 +171,8 @@ impl Model {
             }
             _ => None,
         };
-        let (
-            Some(mut materials),
-            Some(stowed),
-            Some(loads),
-            Some(drives),
-            Some(mut throws),
-            Some(mut held),
-            Some(audit),
-        ) = (materials, stowed, loads, drives, throws, held, audit)
+        let (Some(mut materials), Some(stowed), Some(loads), Some(drives), Some(mut throws), Some(held), Some(audit)) =
+            (materials, stowed, loads, drives, throws, held, audit)
         else {
             return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
         };
@@ -186,7 +181,6 @@ impl Model {
         for &node in &cut.web.tractors {
             tractor[node] = true;
         }
-        drives.iter().for_each(|drive| held[drive.node] = true);
         let gravity = scenario.environment.gravity.si();
         let mut parts = SystemParts {
             mass: materials.mass,
@@ -217,11 +211,12 @@ impl Model {
         let axis = frame * DVec3::Z;
         let rigid = (&mut parts, &mut state);
         bodies::make_rigid(document, &cut, &scenario, &throws, axis, &mut materials.bodies, rigid)?;
+        let bodies = parts.bodies.clone();
         let centre_of = |knot: usize| {
-            let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
+            let body = bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
             body.map_or(knot, |body| body.centre)
         };
-        drives::are_no_bodies(document, &cut, &parts)?;
+        drives::take_hold(document, &cut, &mut parts, &state.position)?;
         // what acts on a tractor acts on its middle
         for load in parts.loads.iter_mut().filter(|load| cut.web.tractors.contains(&load.node)) {
             load.node = centre_of(load.node);
@@ -234,6 +229,7 @@ impl Model {
         release::cover(document, &cut, &scenario, &tractors, &mut parts, &mut state)?;
         let (members, groups) = (&mut materials.members, &mut materials.groups);
         ties::tie(document, &cut, &scenario, (members, groups), (&mut parts, &mut state))?;
+        let mass = parts.mass.iter().sum();
         let system =
             parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
@@ -266,6 +262,7 @@ impl Model {
         Ok(Model {
             scenario,
             system,
+            mass,
             state,
             frame,
             groups: materials.groups,
