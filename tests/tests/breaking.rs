@@ -30,6 +30,9 @@ fn a_jerked_rope_breaks_at_its_weak_piece() {
     println!("{:.0} N at {:.1} us; a step gains at most {gain:.0} N", told.tension_n, 1e6 * told.time_s);
     assert!(told.tension_n > load && told.tension_n < load + gain);
 
+    let tension = &run.summary.tension;
+    assert_eq!((told.released, tension.broken_segments, tension.first_break_time_s), (false, 1, Some(told.time_s)));
+
     // the weak piece bears nothing from then on, and is no longer drawn
     let fields = &run.fields;
     for (frame, &time) in fields.times.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Driven nodes: moved along given paths, whatever pulls at them.
+//! Driven nodes: moved along given paths, whatever pulls at them. A body whose centre of mass is driven turns as what
+//! pulls at its ties would have it.
 
 use glam::DVec3;
 

@@ -29,7 +29,7 @@ pub struct Ledger {
     pub sheet_damping: f64,
     /// Lost to hysteresis of ropes since the start.
     pub rope_hysteresis: f64,
-    /// Elastic energy of the segments that broke since the start, as they broke.
+    /// Elastic energy of the segments that broke since the start, and of the bends over them, as they broke.
     pub rupture: f64,
     /// Lost to mass-proportional damping since the start.
     pub mass_damping: f64,
@@ -82,7 +82,7 @@ impl Ledger {
             }
             ledger.rope_hysteresis += law.hysteresis(&axial, &memory);
         }
-        ledger.elastic += elements::elastic_energy(system.bends(), position)
+        ledger.elastic += elements::elastic_energy(system.unbroken_bends(&ropes.broken), position)
             + elements::elastic_energy(system.membranes(), position)
             + elements::elastic_energy(system.hinges(), position);
         ledger
@@ -234,6 +234,7 @@ impl Losses {
         self.air += sums.air_work;
         self.added_mass += sums.added_mass_work;
         self.ground += sums.ground_work;
+        self.rupture += sums.bent_rupture;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {
@@ -314,7 +315,7 @@ mod tests {
             ("rope_damping", segments.len() + bends.len()),
             ("sheet_damping", membranes.len() + hinges.len()),
             ("rope_hysteresis", laws.len()),
-            ("rupture", segments.len()),
+            ("rupture", segments.len() + bends.len()),
             ("mass_damping", mass_damping as usize),
             ("drive", drives.len()),
             ("launch", launchers.len()),

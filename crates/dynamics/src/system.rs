@@ -1,5 +1,7 @@
 //! The model that is simulated: lumped masses joined by tension-only segments. Immutable, SI, without names.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 use crate::air::{Air, Attitude};
@@ -80,6 +82,8 @@ pub struct System {
     launchers: Vec<Launcher>,
     environment: Environment,
     layout: Layout,
+    /// The bends over each segment that has some.
+    bends_over: BTreeMap<usize, Vec<usize>>,
 }
 
 /// What a [`System`] is made from; [`SystemParts::build`] checks it.
@@ -105,7 +109,7 @@ pub struct SystemParts {
     pub loads: Vec<Load>,
     /// Rigid bodies.
     pub bodies: Vec<Body>,
-    /// Nodes that are moved along paths; they are held as well.
+    /// Nodes that are moved along paths; they are held as well. The centre of a body must be that of its mass.
     pub drives: Vec<Drive>,
     /// What holds nodes and throws them.
     pub launchers: Vec<Launcher>,
@@ -271,6 +275,7 @@ impl SystemParts {
             // what drives it has to do with its mass, the net has not
             self.mass[drive.node] = 0.0;
         }
+        let bends_over = bends_over(&self.bends, &self.segments);
         let layout = Layout::new(nodes, &self.segments, &resting, self.laws.len());
         Ok(System {
             mass: self.mass,
@@ -287,6 +292,7 @@ impl SystemParts {
             launchers: self.launchers,
             environment: self.environment,
             layout,
+            bends_over,
         })
     }
 
@@ -451,6 +457,19 @@ impl System {
         &self.bends
     }
 
+    /// The bends between a segment and the next one, which are no more when it breaks.
+    pub fn bends_over(&self, segment: usize) -> &[usize] {
+        self.bends_over.get(&segment).map_or(&[], |bends| &bends[..])
+    }
+
+    /// The bends between segments of which none is `broken`, (segments,).
+    pub fn unbroken_bends(&self, broken: &[bool]) -> impl Iterator<Item = &Bending> {
+        let mut whole = vec![true; self.bends.len()];
+        let gone = self.bends_over.iter().filter(|(segment, _)| broken[**segment]);
+        gone.flat_map(|(_, bends)| bends).for_each(|&bend| whole[bend] = false);
+        self.bends.iter().zip(whole).filter(|(_, whole)| *whole).map(|(bend, _)| bend)
+    }
+
     /// Triangles of sheets.
     pub fn membranes(&self) -> &[Membrane] {
         &self.membranes
@@ -490,4 +509,22 @@ impl System {
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
+}
+
+/// The bends over each segment. Where several segments join two nodes of a bend the first is the piece of its rope.
+fn bends_over(bends: &[Bending], segments: &[Segment]) -> BTreeMap<usize, Vec<usize>> {
+    let (mut between, mut over) = (BTreeMap::new(), BTreeMap::<usize, Vec<usize>>::new());
+    if bends.is_empty() {
+        return over;
+    }
+    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+    for (index, segment) in segments.iter().enumerate() {
+        between.entry(sorted(segment.ends)).or_insert(index);
+    }
+    for (index, bend) in bends.iter().enumerate() {
+        let [before, at, after] = bend.nodes();
+        let joined = [[before, at], [at, after]].into_iter().filter_map(|ends| between.get(&sorted(ends)));
+        joined.for_each(|&segment| over.entry(segment).or_default().push(index));
+    }
+    over
 }

@@ -225,6 +225,66 @@ fn what_drives_a_node_does_the_work_that_the_net_gains() {
     assert!(outcome.balance.closure() < 2e-3, "{}", outcome.balance.closure());
 }
 
+/// The pendulum of above, its centre of mass on a circle: the load that turns it does not know of that.
+#[test]
+fn a_body_whose_centre_is_driven_round_a_circle_swings_as_if_it_stayed() {
+    let (_, mut net) =
+        pivoted(DVec3::new(1e-4, 1.0 / 3.0, 1.0 / 3.0), GRAVITY, 0.5 * DVec3::X, DQuat::IDENTITY, DVec3::ZERO);
+    let centre = net.parts.bodies[0].centre;
+    let circle = |time: f64| {
+        let (sin, cos) = libm::sincos(7.0 * time);
+        DVec3::new(0.3 * (cos - 1.0), 0.2 * sin, 0.3 * sin)
+    };
+    let path = (0..=2000).map(|i| 1e-3 * f64::from(i)).map(|time| (time, circle(time))).collect();
+    net.parts.drives = vec![Drive { node: centre, path }];
+    let system = net.build();
+    let (mut turns, mut film) = (Turns::default(), Film::default());
+    let schedule = Schedule::new(2.0, 1e-3, 1e-3);
+    let outcome = simulate(&system, &net.state, &schedule, 1, &mut turns);
+    simulate(&system, &net.state, &schedule, 1, &mut film);
+    let late = turns.0.iter().filter(|(time, _)| *time > 1.5);
+    let top = late.max_by(|a, b| (a.1 * DVec3::X).z.total_cmp(&(b.1 * DVec3::X).z)).unwrap();
+    assert!((top.0 - 1.93333).abs() < 2e-3, "period {} s", top.0);
+    let tie = net.parts.bodies[0].ties[0];
+    for ((time, position, _), (_, orientation)) in film.frames.iter().zip(&turns.0) {
+        assert!((position[centre] - circle(*time)).length() < 1e-12);
+        assert!((position[tie.node] - position[centre] - *orientation * tie.arm).length() < 1e-12);
+    }
+    // the load's work is the rotation's energy and the drive's share, F . dx of the centre
+    println!("closure {:.1e}, drive {:.4} J", outcome.balance.closure(), outcome.ledger.drive);
+    let by_hand = -GRAVITY * circle(2.0).z;
+    assert!((outcome.ledger.drive - by_hand).abs() < 1e-9, "{} and not {by_hand}", outcome.ledger.drive);
+    assert!(outcome.balance.closure() < 1e-5, "{}", outcome.balance.closure());
+}
+
+/// Held or driven, a body that springs turn has a stable step: that of its inertia at their arms.
+#[test]
+fn a_body_that_cannot_give_way_bounds_the_step_by_its_turning() {
+    let (inertia, arm, spring) = (0.02, 0.3, 1e4);
+    let mut net = Net::default();
+    let ends = [0.3, -0.3].map(|x| net.node(DVec3::new(x, 0.0, 0.0), DVec3::ZERO));
+    let centre = net.body(DVec3::ZERO, DVec3::ZERO, 1.0, DVec3::splat(inertia), (DQuat::IDENTITY, DVec3::ZERO), &ends);
+    net.parts.held[centre] = true;
+    for end in ends {
+        let far = net.node(net.state.position[end] + DVec3::Y, DVec3::ZERO);
+        net.parts.held[far] = true;
+        net.segment(
+            end,
+            far,
+            0.9,
+            Material { axial_stiffness: 0.9 * spring, mass_per_length: 0.0, damping_ratio: 0.0 },
+        );
+    }
+    // 2/omega of two springs on the arms; the bound counts each twice, for what else may hang there
+    let exact = 2.0 / (2.0 * spring * arm * arm / inertia).sqrt();
+    for driven in [false, true] {
+        net.parts.drives =
+            if driven { vec![Drive { node: centre, path: vec![(0.0, DVec3::ZERO)] }] } else { Vec::new() };
+        let limit = step_limit(&net.build()).dt;
+        assert!((limit / exact - 0.5f64.sqrt()).abs() < 1e-9, "{limit} s, {exact} s");
+    }
+}
+
 #[test]
 fn a_load_that_is_brought_up_does_the_work_that_the_net_gains() {
     // a level rope between held ends, pulled down at its middle within 0.2 s

@@ -111,10 +111,21 @@ proptest! {
     }
 
     #[test]
-    fn they_agree_by_any_law(mut net in nets::any_net_of_any_law(0.05), held in 0usize..3, surrounded: bool, attached: bool, stormy: bool, landed: bool) {
+    fn they_agree_by_any_law(
+        mut net in nets::any_net_of_any_law(0.05),
+        held in 0usize..3,
+        surrounded: bool,
+        attached: bool,
+        stiff: bool,
+        stormy: bool,
+        landed: bool,
+    ) {
         net.parts.held[held] = true;
         if attached {
             attach(&mut net, held);
+        }
+        if stiff {
+            net.stiffen(0.5);
         }
         if surrounded {
             net.parts.environment = nets::surroundings();

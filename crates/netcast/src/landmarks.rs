@@ -5,7 +5,6 @@ use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark
 use netcast_scenario::body::Shape;
 use netcast_scenario::canopy::Canopy;
 use netcast_scenario::lower::{Model, PlacedBody, Role};
-use netcast_webs::Class;
 
 /// The landmarks of a model.
 pub fn landmarks(model: &Model) -> Landmarks {
@@ -80,8 +79,8 @@ fn groups(model: &Model) -> (Vec<LinkClass>, Vec<NamedRope>, Vec<Group>) {
     let mut groups = Vec::new();
     for group in &model.groups {
         let class = classes.iter().position(|class| class.name == group.class.name()).unwrap_or_else(|| {
-            let is_rope = group.class != Class::Canopy;
-            classes.push(LinkClass { name: group.class.name().to_owned(), is_rope, strength: None });
+            let (name, is_rope) = (group.class.name().to_owned(), group.class.is_rope());
+            classes.push(LinkClass { name, is_rope, strength: None });
             classes.len() - 1
         });
         // a class is as strong as its weakest rope

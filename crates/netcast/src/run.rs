@@ -374,6 +374,8 @@ impl Ended<'_> {
     fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
         let Ended { model, schedule, rest, outcome, recording } = self;
         let (system, bill) = (&model.system, &model.bill);
+        let breaks: Vec<summary::Break> = outcome.breaks.iter().map(|broken| told(model, broken)).collect();
+        let broken = || breaks.iter().filter(|broken| !broken.released);
         Summary {
             title: model.scenario.title.clone(),
             netcast: env!("CARGO_PKG_VERSION").to_owned(),
@@ -383,7 +385,7 @@ impl Ended<'_> {
                 nodes: system.mass().len(),
                 segments: system.segments().len(),
                 rope_length_m: bill.length_by_class.values().sum(),
-                web_mass_kg: system.mass().iter().sum::<f64>() - bill.tractor_mass,
+                web_mass_kg: model.mass - bill.tractor_mass,
                 tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
             },
             step: summary::Step {
@@ -397,8 +399,12 @@ impl Ended<'_> {
             statics: rest.as_ref().map(|rest| rest.summary(model)),
             opening: recording.opening,
             points: recording.points,
-            tension: recording.tension,
-            breaks: outcome.breaks.iter().map(|broken| told(model, broken)).collect(),
+            tension: summary::Tension {
+                broken_segments: broken().count(),
+                first_break_time_s: broken().next().map(|first| first.time_s),
+                ..recording.tension
+            },
+            breaks,
             posture: recording.posture,
             mouth: recording.mouth,
             target: recording.target,
@@ -414,12 +420,14 @@ impl Ended<'_> {
 /// A segment that broke, with the names of the model's parts.
 fn told(model: &Model, broken: &Break) -> summary::Break {
     let &Break { segment, step: _, time, tension } = broken;
+    let class = &model.groups[model.system.segments()[segment].class].class;
     summary::Break {
         time_s: time,
         place: model.segment_label(segment),
         segment,
-        class: model.groups[model.system.segments()[segment].class].class.name().to_owned(),
+        class: class.name().to_owned(),
         tension_n: tension,
+        released: class.is_made_to_break(),
     }
 }
 

@@ -32,6 +32,7 @@ pub fn words(summary: &Value) -> Vec<String> {
             opening,
             effective_opening,
             target,
+            let_go,
             broken,
             hardest_pull,
             worst_rope,
@@ -171,14 +172,34 @@ fn hardest_pull(summary: &Value) -> Option<String> {
     Some(format!("The hardest pulled rope{rope}{colon} {}{}.", with_prefix(max, "N"), at(&tension["max_time_s"])))
 }
 
+/// What broke, in the order of time: what was made to, or what was not.
+fn breaks(summary: &Value, released: bool) -> Vec<&Value> {
+    let all = summary["breaks"].as_array().into_iter().flatten();
+    all.filter(|one| one["released"].as_bool().unwrap_or(false) == released).collect()
+}
+
+/// Where, when and under what something broke.
+fn break_in_words(one: &Value) -> Option<String> {
+    let (place, tension) = (one["where"].as_str()?, with_prefix(one["tension_n"].as_f64()?, "N"));
+    Some(format!("{place}{}, under {tension}", at(&one["time_s"])))
+}
+
 fn broken(summary: &Value) -> Option<String> {
-    let breaks = summary["breaks"].as_array()?;
-    let first = breaks.first()?;
-    let (place, tension) = (first["where"].as_str()?, with_prefix(first["tension_n"].as_f64()?, "N"));
-    let when = at(&first["time_s"]);
+    let breaks = breaks(summary, false);
+    let first = break_in_words(breaks.first()?)?;
     Some(match breaks.len() {
-        1 => format!("Something breaks: {place}{when}, under {tension}."),
-        more => format!("{more} segments break, the first of them {place}{when}, under {tension}."),
+        1 => format!("Something breaks: {first}."),
+        more => format!("{more} segments break, the first of them {first}."),
+    })
+}
+
+/// Break ties and stitches.
+fn let_go(summary: &Value) -> Option<String> {
+    let ties = breaks(summary, true);
+    let (first, last) = (break_in_words(ties.first()?)?, break_in_words(ties.last()?)?);
+    Some(match ties.len() {
+        1 => format!("One tie lets go: {first}."),
+        more => format!("{more} ties and stitches let go, the first of them {first}, the last {last}."),
     })
 }
 
@@ -197,7 +218,7 @@ fn worst_rope(summary: &Value) -> Option<String> {
         Some(share) => format!("of the strength that knots leave it ({} less)", percent(share)),
         None => "of its strength".into(),
     };
-    let broke = summary["breaks"].as_array().is_some_and(|breaks| !breaks.is_empty());
+    let broke = !breaks(summary, false).is_empty();
     let so = match utilisation <= 1.0 {
         true => format!("a margin of {}", significant(1.0 / utilisation)),
         false if broke => format!("a margin of {}", significant(1.0 / utilisation)),

@@ -304,6 +304,12 @@ pub struct Tension {
     pub bottom_max_n: Option<f64>,
     /// Their mean from B's start to the time of largest area, N.
     pub bottom_mean_n: Option<f64>,
+    /// Number of segments of rope that broke; ties and stitches, which are made to, do not count.
+    #[serde(default)]
+    pub broken_segments: usize,
+    /// When the first of them broke, s.
+    #[serde(default)]
+    pub first_break_time_s: Option<f64>,
     /// The extremes of each link class.
     pub by_class: BTreeMap<String, ClassTension>,
     /// What each kind of rope bears, by its name in the scenario.
@@ -359,6 +365,9 @@ pub struct Break {
     pub class: String,
     /// Its tension then, N.
     pub tension_n: f64,
+    /// Whether it was made to: a break tie, a tear stitch.
+    #[serde(default)]
+    pub released: bool,
 }
 
 /// When the middle trails the outline and when it leads.

@@ -9,7 +9,8 @@ use crate::interval::NonNegative;
 use crate::quantity::{Length, Time};
 
 /// `[drive.NAME]`. The path is given by `path` or by a `file`: displacements from where a node is at the start, straight
-/// and at constant speed from one point to the next. It begins at time 0, and the node rests after its last point.
+/// and at constant speed from one point to the next. It begins at time 0, and the node rests after its last point. A
+/// tractor or a canopy that is a rigid body is moved at its centre of mass, and turned by what pulls at it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(

@@ -46,6 +46,7 @@ pub mod schema;
 pub mod solve;
 pub mod stow;
 mod text_file;
+pub mod tie;
 pub mod tractor;
 pub mod tree;
 mod unit_table;

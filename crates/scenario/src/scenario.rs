@@ -22,6 +22,7 @@ use crate::rope::Rope;
 use crate::rope_law::RopeLaw;
 use crate::solve::Solve;
 use crate::stow::{Stow, Stowage};
+use crate::tie::{BreakTie, Stitching};
 use crate::tractor::{TractionRope, TractorOverride};
 use crate::web::Web;
 
@@ -63,6 +64,12 @@ pub struct Scenario {
     /// What holds the web until it opens.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub covers: Vec<Cover>,
+    /// Threads that hold nodes where they are stowed, or to each other, until they break.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub break_ties: Vec<BreakTie>,
+    /// Rows of threads that hold folds together until they rip.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stitches: Vec<Stitching>,
     /// Nodes that stay put.
     pub hold: Option<Hold>,
     /// Forces on the web, by name.

@@ -57,6 +57,23 @@ fn a_path_starts_where_the_node_lies_in_the_world() {
 }
 
 #[test]
+fn what_drives_a_tractor_that_is_a_body_drives_its_centre() {
+    let tractors = "solve.duration = 1\ntractor.cylinder = { diameter = \"40 mm\", height = \"60 mm\", mass = \"1 kg\" }\n\
+                    traction_rope = { length = \"0.5 m\", tied_at = \"rear\" }\n\
+                    drive.a = { path = [{ time = 1, by = [0, 0, 1] }], tractors = true }\n";
+    let model = model(tractors, "").unwrap();
+    let bodies = model.system.bodies();
+    assert_eq!((bodies.len(), model.system.drives().len()), (4, 4));
+    for (body, drive) in bodies.iter().zip(model.system.drives()) {
+        let start = model.state.position[body.centre];
+        assert_eq!((drive.node, drive.at(1.0)), (body.centre, start + DVec3::Z));
+        assert!(model.system.held()[body.centre] && !model.system.held()[body.ties[0].node]);
+    }
+    // what is driven weighs something all the same
+    assert!(model.mass > 4.0 && model.system.mass().iter().sum::<f64>() < 1.0);
+}
+
+#[test]
 fn what_does_not_fit_is_told_with_its_place() {
     let told = |more: &str, csv: &str, expected: &[&str]| assert_eq!(wrong(more, csv), expected, "{more}");
     let run = "solve.duration = 1\n";

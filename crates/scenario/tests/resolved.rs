@@ -4,7 +4,8 @@ mod common;
 
 use common::{CONTRACT, parse};
 use netcast_scenario::init::TEMPLATES;
-use netcast_scenario::{Document, resolved_toml};
+use netcast_scenario::lower::Model;
+use netcast_scenario::{Document, Source, resolved_toml};
 use proptest::prelude::*;
 
 #[test]
@@ -43,6 +44,32 @@ fn every_template_reads_back_the_same() {
         assert_eq!(again.scenario, document.scenario, "{}", template.kind);
         assert_eq!(resolved_toml(&again.scenario), resolved);
         assert_eq!(document.graph.is_some(), template.kind == "graph");
+    }
+}
+
+/// What a template has in comments is there to be uncommented: keys, and tables with theirs. What comes in place of
+/// something else, "or ...", stands on lines of its own.
+#[test]
+fn what_a_template_leaves_in_comments_can_be_taken_in() {
+    let in_place_of = |line: &str, keys: &[&str]| keys.iter().any(|key| line.starts_with(key));
+    for (template, from_tubes) in TEMPLATES.iter().flat_map(|template| [(template, false), (template, true)]) {
+        let taken_in = template.scenario.lines().filter_map(|line| match line.strip_prefix("# ") {
+            _ if from_tubes && in_place_of(line, &["axial_speed", "radial_speed"]) => None,
+            Some(tube) if tube.starts_with("tube = ") => from_tubes.then_some(tube),
+            Some(room) if in_place_of(room, &["container", "spacing"]) => None,
+            Some(table) if table.starts_with('[') => Some(table),
+            Some(key) if key.split_once(" = ").is_some_and(|(key, _)| !key.contains(' ')) => Some(key),
+            _ => Some(line),
+        });
+        let text: String = taken_in.map(|line| format!("{line}\n")).collect();
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in template.files {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        let source = Source { name: template.kind.into(), text: text.clone() };
+        let model = Document::parse(source, folder.path(), &[]).and_then(|document| Model::new(&document));
+        model.unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
+        assert!(text.contains("\nbreaking = ") && (text.contains("\n[[break_ties]]") || template.kind == "held"));
     }
 }
 

@@ -21,6 +21,10 @@ pub enum Class {
     Hexagon,
     /// A member that stands for a canopy's fabric; no [`crate::Web`] has such a rope, a model of its canopies may.
     Canopy,
+    /// A thread that holds a node where it is stowed until it breaks; as little a rope of a [`crate::Web`].
+    Tie,
+    /// A thread that holds two folds together until it rips; as little a rope of a [`crate::Web`].
+    Stitch,
     /// A class that the user named.
     Named(String),
 }
@@ -37,6 +41,8 @@ impl Class {
             Class::Inner,
             Class::Hexagon,
             Class::Canopy,
+            Class::Tie,
+            Class::Stitch,
         ];
         let name = name.trim();
         ours.into_iter()
@@ -55,8 +61,20 @@ impl Class {
             Class::Inner => "inner",
             Class::Hexagon => "hexagon",
             Class::Canopy => "canopy",
+            Class::Tie => "tie",
+            Class::Stitch => "stitch",
             Class::Named(name) => name,
         }
+    }
+
+    /// Whether it is one of ropes.
+    pub fn is_rope(&self) -> bool {
+        !matches!(self, Class::Canopy | Class::Tie | Class::Stitch)
+    }
+
+    /// Whether what is of it is meant to break.
+    pub fn is_made_to_break(&self) -> bool {
+        matches!(self, Class::Tie | Class::Stitch)
     }
 }
 

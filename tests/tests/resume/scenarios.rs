@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 37] = [
+pub const SCENARIOS: [(&str, &str); 38] = [
     (
         "space web, everything on board",
         r#"
@@ -273,8 +273,8 @@ solve.static = { then_run = false }
         r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
-tractor.particle.mass = "0.3 kg"
-traction_rope.length = "0.3 m"
+tractor.cylinder = { diameter = "40 mm", height = "60 mm", mass = "0.3 kg" }
+traction_rope = { length = "0.3 m", tied_at = "rear" }
 load.drag = { force = [0, 0, "-2 N"], corners = true, tractors = true }
 load.lift = { force = [0, 0, "4 N"], corners = false, tractors = false, points = ["B"] }
 drive.up = { path = [{ time = "20 ms", by = [0, 0, "0.5 m"] }], tractors = true, corners = false }
@@ -415,6 +415,46 @@ tractors = [{ corner = 1, delay = "0.7 ms" }, { corner = 2, delay = "1.5 ms" }]
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
 solve = { duration = "4 ms", segment_length = "0.2 m" }
 record.every = "0.2 ms"
+"#,
+    ),
+    (
+        "square net in layers, tied and stitched",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.layers.container.box = { width = "0.6 m", breadth = "0.6 m", height = "0.5 m" }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+
+[[break_ties]]
+tractors = true
+corners = false
+breaking_load = "100 N"
+breaking_strain = "20 %"
+
+[[break_ties]]
+tractors = false
+corners = true
+nodes = ["knot 8"]
+points = ["B"]
+pairs = [["knot 7", "knot 9"]]
+length = "1 m"
+breaking_load = "50 N"
+
+[[stitches]]
+class = "outline"
+reach = "80 mm"
+every = 2
+breaking_load = "5 N"
+
+[[stitches]]
+pairs = [["knot 3", "knot 4"]]
+length = "1 m"
+breaking_load = "5 N"
+breaking_strain = "8 %"
 "#,
     ),
     (

@@ -12,7 +12,7 @@ use netcast::dynamics::forces::viscoelastic::Viscoelastic;
 use netcast::dynamics::time::step::Stepper;
 use netcast::scenario::library::library;
 use netcast::scenario::lower::Thrown;
-use netcast::webs::PACKED_FILL;
+use netcast::webs::{Class, PACKED_FILL};
 use netcast::{Document, Model, schedule};
 
 use super::ScenarioArguments;
@@ -51,6 +51,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     from_library(&document);
     bodies(&model);
     launch(&model);
+    ties(&model);
     air::air(&model);
     audit(&model);
     acting(&model);
@@ -82,7 +83,7 @@ fn bill(model: &Model) {
         lines.push((name.into(), format!("{count}, {} kg", number(mass, 4))));
     }
     lines.push(("web without traction ropes".into(), format!("{} kg", number(bill.web_mass(), 4))));
-    lines.push(("thrown in all".into(), format!("{} kg", number(model.system.mass().iter().sum(), 4))));
+    lines.push(("thrown in all".into(), format!("{} kg", number(model.mass, 4))));
     lines.push((
         "packed volume".into(),
         format!("{} litres, {} % of it solid", number(1e3 * bill.packed_volume, 3), number(100.0 * PACKED_FILL, 2)),
@@ -201,6 +202,26 @@ fn launch(model: &Model) {
     }
     if !lines.is_empty() {
         say!("Launch");
+        rows(&lines);
+    }
+}
+
+/// What holds the web until it breaks.
+fn ties(model: &Model) {
+    let mut lines = Vec::new();
+    for (class, group) in model.groups.iter().enumerate().filter(|(_, group)| group.class.is_made_to_break()) {
+        let loads = model.system.segments().iter().filter(|s| s.class == class).map(|s| s.breaking.load);
+        let (count, most) = (loads.clone().count(), loads.fold(0.0, f64::max));
+        let least = group.breaking.load;
+        let load = match least == most {
+            true => format!("{} N", number(least, 4)),
+            false => format!("{} to {} N", number(least, 4), number(most, 4)),
+        };
+        let name = if group.class == Class::Tie { "break ties" } else { "stitches" };
+        lines.push((name.into(), format!("{count}, let go at {load}; they weigh nothing")));
+    }
+    if !lines.is_empty() {
+        say!("Held until it breaks");
         rows(&lines);
     }
 }

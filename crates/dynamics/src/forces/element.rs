@@ -14,6 +14,11 @@ pub struct Stress<const N: usize> {
     pub friction: [DVec3; N],
 }
 
+impl<const N: usize> Stress<N> {
+    /// None at all.
+    pub const NONE: Stress<N> = Stress { elastic: [DVec3::ZERO; N], friction: [DVec3::ZERO; N] };
+}
+
 /// An element between `N` nodes.
 pub trait Element<const N: usize>: Sync {
     /// Its nodes.

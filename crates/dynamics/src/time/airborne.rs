@@ -21,6 +21,8 @@ pub(super) struct Airborne<'a> {
     bodies: Vec<(DVec3, DVec3)>,
     /// Segments at each node, (nodes,); empty where nothing is taken along.
     arms: Vec<Vec<Arm>>,
+    /// The segments that break at the last forces.
+    leaving: Vec<usize>,
     /// Force of the medium's inertia on each node, N, and where it was, m, at the last forces, (nodes,).
     inertia: Vec<(DVec3, DVec3)>,
 }
@@ -36,7 +38,23 @@ impl<'a> Airborne<'a> {
             bodies: vec![(DVec3::ZERO, DVec3::ZERO); air.bodies.len()],
             inertia: vec![(DVec3::ZERO, DVec3::ZERO); arms.len()],
             arms,
+            leaving: Vec::new(),
         })
+    }
+
+    /// A segment breaks: it takes the medium along for the last time.
+    pub fn leave(&mut self, segment: usize) {
+        self.leaving.push(segment);
+    }
+
+    /// Nodes have moved.
+    pub fn let_go(&mut self) {
+        std::mem::take(&mut self.leaving).into_iter().for_each(|segment| self.remove(segment));
+    }
+
+    /// A segment is no more.
+    pub fn remove(&mut self, segment: usize) {
+        self.arms.iter_mut().for_each(|arms| arms.retain(|arm| arm.segment != segment));
     }
 
     /// The nodes on which it acts.
@@ -57,6 +75,8 @@ impl<'a> Airborne<'a> {
         turned: impl Fn(usize) -> DQuat,
         force: &mut [DVec3],
     ) -> f64 {
+        // those that the forces before were the last of are told again if these are the same
+        self.leaving.clear();
         let (air, gust) = (self.air, self.air.wind.fluctuation.at(time));
         let pressed = |index: usize, x: [DVec3; 3], w: [DVec3; 3]| {
             let height = (x[0].z + x[1].z + x[2].z) / 3.0;

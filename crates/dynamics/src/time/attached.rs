@@ -107,6 +107,8 @@ pub struct AttachedSums {
     pub added_mass_work: f64,
     /// Work lost to the ground, J.
     pub ground_work: f64,
+    /// Elastic energy of the bends that go with segments which break, J.
+    pub rupture: f64,
 }
 
 impl<'a> Attached<'a> {
@@ -233,6 +235,24 @@ impl<'a> Attached<'a> {
         }
     }
 
+    /// Lets bends go with the segments that break at these forces; they have acted for the last time.
+    pub fn part(&mut self, failing: impl IntoIterator<Item = usize>) {
+        for segment in failing {
+            for &bend in self.system.bends_over(segment) {
+                let place = self.bends.leave(bend);
+                self.sums.rupture += place.map_or(0.0, |place| self.system.bends()[bend].elastic_energy(place));
+            }
+            self.airborne.iter_mut().for_each(|airborne| airborne.leave(segment));
+        }
+    }
+
+    /// Takes out the bends over segments that are broken, (segments,).
+    pub fn put_broken(&mut self, broken: &[bool]) {
+        let broken = (0..broken.len()).filter(|&segment| broken[segment]);
+        self.airborne.iter_mut().for_each(|airborne| broken.clone().for_each(|segment| airborne.remove(segment)));
+        broken.flat_map(|segment| self.system.bends_over(segment)).for_each(|&bend| self.bends.remove(bend));
+    }
+
     /// The force of a body's ties on it, of nodes on their drives, of launchers on their nodes. `pull` tells the force
     /// of ropes on a node, added to what is given; `moving` tells where a node is, and its half-step velocity.
     pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
@@ -329,31 +349,34 @@ impl<'a> Attached<'a> {
     /// carried and how it moves now. `moving` tells how a node moves after this step.
     pub fn carry(&mut self, time: f64, moving: impl Fn(usize) -> Moving) -> &[(usize, Moving)] {
         let (system, dt) = (self.system, self.factors.dt);
+        self.bends.let_go();
+        self.airborne.iter_mut().for_each(Airborne::let_go);
         let mut let_go = Vec::new();
         let when = (time, self.time == 0.0);
         self.launching.advance(system.launchers(), &self.thrusts, self.factors, when, |node, velocity| {
             let_go.push((node, Moving { w: velocity, ..moving(node) }));
         });
         self.time = time;
+        self.carried.truncate(self.carried_always);
+        let ties = self.carried_always - system.drives().len();
+        let (ties, driven) = self.carried.split_at_mut(ties);
+        for (drive, (_, driven)) in system.drives().iter().zip(driven.iter_mut()) {
+            let x = drive.at(time);
+            let v = (x - driven.x) / dt;
+            *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
+        }
         let centre = |node: usize| {
-            let own = let_go.iter().find(|(own, _)| *own == node);
+            let own = driven.iter().chain(&let_go).find(|(own, _)| *own == node);
             own.map_or_else(|| moving(node), |(_, moving)| *moving)
         };
-        self.carried.truncate(self.carried_always);
-        let mut carried = self.carried.iter_mut().map(|(_, moving)| moving);
-        let mut next = || carried.next().expect("everything that is carried has a place");
+        let mut ties = ties.iter_mut().map(|(_, moving)| moving);
+        let mut next = || ties.next().expect("every tie has a place");
         for ((body, turning), torque) in system.bodies().iter().zip(&mut self.turning).zip(&self.torque) {
             turning.turn(body, *torque, self.factors);
             for_each_tie(body, turning, centre(body.centre), |_, moving| {
                 let tie = next();
                 *tie = Moving { v: (moving.x - tie.x) / dt, ..moving };
             });
-        }
-        for drive in system.drives() {
-            let driven = next();
-            let x = drive.at(time);
-            let v = (x - driven.x) / dt;
-            *driven = Moving { x, v, w: 1.5 * v - 0.5 * driven.v };
         }
         self.carried.extend(let_go);
         &self.carried

@@ -16,6 +16,10 @@ pub(super) struct Elements<const N: usize> {
     did: Vec<Did<N>>,
     /// Work that each has lost since the forces before, J.
     work: Vec<f64>,
+    /// Those that pull for the last time at the last forces.
+    leaving: Vec<usize>,
+    /// Whether each is no more.
+    gone: Vec<bool>,
 }
 
 /// What an element did, and where its nodes were.
@@ -28,9 +32,33 @@ struct Did<const N: usize> {
 impl<const N: usize> Elements<N> {
     /// Elements between these nodes.
     pub fn new(nodes: Vec<[usize; N]>) -> Self {
-        let nothing = Stress { elastic: [DVec3::ZERO; N], friction: [DVec3::ZERO; N] };
-        let did = vec![Did { place: [DVec3::ZERO; N], stress: nothing }; nodes.len()];
-        Elements { did, work: vec![0.0; nodes.len()], nodes }
+        let did = vec![Did { place: [DVec3::ZERO; N], stress: Stress::NONE }; nodes.len()];
+        let (work, gone) = (vec![0.0; nodes.len()], vec![false; nodes.len()]);
+        Elements { nodes, did, work, leaving: Vec::new(), gone }
+    }
+
+    /// Takes out an element.
+    pub fn remove(&mut self, index: usize) {
+        self.gone[index] = true;
+    }
+
+    /// Takes out an element as soon as nodes have moved. What it pulls now is lost until then; returns where its nodes
+    /// are, m, none where it is gone or leaving already.
+    pub fn leave(&mut self, index: usize) -> Option<[DVec3; N]> {
+        if self.gone[index] || self.leaving.contains(&index) {
+            return None;
+        }
+        self.leaving.push(index);
+        let Did { place, stress } = &mut self.did[index];
+        for k in 0..N {
+            stress.friction[k] += stress.elastic[k];
+        }
+        Some(*place)
+    }
+
+    /// Nodes have moved.
+    pub fn let_go(&mut self) {
+        self.leaving.drain(..).for_each(|index| self.gone[index] = true);
     }
 
     /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their friction since the forces
@@ -43,13 +71,15 @@ impl<const N: usize> Elements<N> {
         at: impl Fn(usize) -> (DVec3, DVec3) + Sync,
         force: &mut [DVec3],
     ) -> f64 {
-        let nodes = &self.nodes;
+        // those that the forces before were the last of are told again if these are the same
+        self.leaving.clear();
+        let (nodes, gone) = (&self.nodes, &self.gone);
         let alone = Team::default();
         let team = if nodes.len() < LEAST_FOR_THREADS { &alone } else { team };
         team.for_each(&mut self.did, &mut self.work, |index, did, work| {
             let nodes = nodes[index].map(&at);
             let place = nodes.map(|(x, _)| x);
-            let stress = stress(index, place, nodes.map(|(_, w)| w));
+            let stress = if gone[index] { Stress::NONE } else { stress(index, place, nodes.map(|(_, w)| w)) };
             *work = 0.0;
             for k in 0..N {
                 let mean = 0.5 * (did.stress.friction[k] + stress.friction[k]);
@@ -67,6 +97,9 @@ impl<const N: usize> Elements<N> {
 }
 
 /// What elements have stored, J, with nodes at `position`, m, (nodes,).
-pub(crate) fn elastic_energy<E: Element<N>, const N: usize>(elements: &[E], position: &[DVec3]) -> f64 {
-    elements.iter().map(|element| element.elastic_energy(element.nodes().map(|node| position[node]))).sum()
+pub(crate) fn elastic_energy<'e, E: Element<N> + 'e, const N: usize>(
+    elements: impl IntoIterator<Item = &'e E>,
+    position: &[DVec3],
+) -> f64 {
+    elements.into_iter().map(|element| element.elastic_energy(element.nodes().map(|node| position[node]))).sum()
 }

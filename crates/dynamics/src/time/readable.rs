@@ -110,12 +110,14 @@ impl<'a> Readable<'a> {
         self.rope_work = law::lost_work(system, &before, &self.pulls);
         let time = self.taken as f64 * dt;
         self.air_work = rope_drag::drag_all(system, time, x, w, &self.ropes.broken, &mut self.drags);
+        self.failing = failing(system, &self.ropes, &mut self.pulls);
 
         let mut force = vec![DVec3::ZERO; x.len()];
         if let Some(attached) = &mut self.attached {
             let velocity = &mut self.velocity;
             let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
             attached.act(&Team::default(), time, moving);
+            attached.part(self.failing.iter().copied());
             let (pulls, drags) = (&self.pulls, &self.drags);
             let pull_at = |at: &Address| law::force_at(system, pulls, *at) + rope_drag::force_at(system, drags, *at);
             attached.couple(
@@ -129,7 +131,6 @@ impl<'a> Readable<'a> {
         }
         self.add_ropes(&mut force);
         self.moved = false;
-        self.fail();
         gravity::add_force(system.environment().gravity, system.mass(), &mut force);
         force.iter().zip(system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
     }
@@ -152,17 +153,6 @@ impl<'a> Readable<'a> {
         }
     }
 
-    /// Finds the segments that break under the tensions just computed.
-    fn fail(&mut self) {
-        for (index, (s, pull)) in self.system.segments().iter().zip(&mut self.pulls).enumerate() {
-            if !self.ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
-                self.failing.push(index);
-                // nothing takes back what its last tension does
-                pull.friction = pull.tension;
-            }
-        }
-    }
-
     /// Bodies turn and take their ties along, driven nodes go on.
     fn carry(&mut self) {
         let Some(attached) = &mut self.attached else { return };
@@ -172,6 +162,19 @@ impl<'a> Readable<'a> {
             (x[node], v[node], w[node]) = (moving.x, moving.v, moving.w);
         }
     }
+}
+
+/// The segments that break under the tensions just computed.
+fn failing(system: &System, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize> {
+    let mut failing = Vec::new();
+    for (index, (s, pull)) in system.segments().iter().zip(pulls).enumerate() {
+        if !ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
+            failing.push(index);
+            // nothing takes back what its last tension does
+            pull.friction = pull.tension;
+        }
+    }
+    failing
 }
 
 /// Whether a node goes where forces take it.

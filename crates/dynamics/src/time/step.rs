@@ -118,6 +118,8 @@ pub struct StepSums {
     pub added_mass_work: f64,
     /// Work lost to the ground since the forces before, J.
     pub ground_work: f64,
+    /// Elastic energy of the bends that go with segments which break in this step, J.
+    pub bent_rupture: f64,
 }
 
 /// A net in motion.
@@ -204,11 +206,7 @@ impl<'a> Stepper<'a> {
 
     /// The segments that break under the last tensions.
     pub fn failing(&self) -> impl Iterator<Item = Failure> {
-        self.ropes.iter().zip(self.system.layout().blocks()).flat_map(|(ropes, plan)| {
-            let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-            let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
-            ropes.failing.iter().map(told)
-        })
+        failing(&self.ropes, self.system)
     }
 
     /// A net whose nodes are nowhere yet.
@@ -293,6 +291,9 @@ impl<'a> Stepper<'a> {
                 ropes.remove(slot);
             }
         }
+        if let Some(attached) = &mut self.attached {
+            attached.put_broken(&state.broken);
+        }
     }
 
     fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
@@ -348,6 +349,7 @@ impl<'a> Stepper<'a> {
         let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
         let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
         attached.act(&self.team, time, moving);
+        attached.part(failing(ropes, self.system).map(|failure| failure.segment));
         attached.couple(
             |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
             moving,
@@ -380,6 +382,7 @@ impl<'a> Stepper<'a> {
             air_work,
             added_mass_work,
             ground_work,
+            rupture,
         } = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
         StepSums {
             rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
@@ -393,6 +396,7 @@ impl<'a> Stepper<'a> {
                 + air_work,
             added_mass_work,
             ground_work,
+            bent_rupture: rupture,
         }
     }
 
@@ -506,4 +510,13 @@ impl<'a> Stepper<'a> {
             }
         }
     }
+}
+
+/// The segments that break under the last tensions of these blocks.
+fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = Failure> + use<'r> {
+    ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
+        let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
+        let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+        ropes.failing.iter().map(told)
+    })
 }

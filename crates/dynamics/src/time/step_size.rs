@@ -19,6 +19,7 @@
 //! It holds for any shape of the net, as all its segments may come to lie along one line. Inside a rope it is exact:
 //! dt = segment length / wave speed. See docs/theory/step-size.md for the derivation.
 
+use crate::body::Body;
 use crate::forces::element::Element;
 use crate::forces::ground::{Ground, Spring};
 use crate::launcher::{Means, Push, Tube};
@@ -73,10 +74,12 @@ impl Meeting {
         system.hinges().iter().enumerate().for_each(|(i, hinge)| at.add_element(hinge, Stiff::Hinge(i)));
         // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
         // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
+        // or, where the centre does not give way, by what it turns
         for body in system.bodies() {
-            let gyration_squared = body.inertia.min_element() / system.mass()[body.centre].max(f64::MIN_POSITIVE);
+            let gyration_squared = body.inertia.min_element() / turning_mass(system, body);
+            let pushed = if system.held()[body.centre] { 0.0 } else { 1.0 };
             for tie in &body.ties {
-                let lever = 1.0 + tie.arm.length_squared() / gyration_squared;
+                let lever = pushed + tie.arm.length_squared() / gyration_squared;
                 let (stiffness, damping) = (lever * at.stiffness[tie.node], lever * at.damping[tie.node]);
                 if let Some((_, what)) = at.stiffest[tie.node] {
                     at.add(body.centre, stiffness, damping, what);
@@ -128,6 +131,14 @@ fn footings(system: &System, ground: &Ground) -> Vec<(usize, Spring)> {
     nodes.chain(hulls).collect()
 }
 
+/// The mass at whose radius of gyration a body's inertia stands for it, kg: its own, or at a metre where it has none.
+fn turning_mass(system: &System, body: &Body) -> f64 {
+    match system.mass()[body.centre] {
+        0.0 => body.inertia.min_element(),
+        mass => mass,
+    }
+}
+
 /// The mass of each node, kg, (nodes,), at which it would set a limit of `dt` seconds; zero where nothing is stiff.
 pub fn limiting_mass(system: &System, dt: f64) -> Vec<f64> {
     let Meeting { stiffness, damping, .. } = Meeting::of(system);
@@ -138,11 +149,16 @@ pub fn limiting_mass(system: &System, dt: f64) -> Vec<f64> {
 pub fn step_limit(system: &System) -> StepLimit {
     let nodes = system.mass().len();
     let at = Meeting::of(system);
+    let mut mass: Vec<f64> =
+        system.mass().iter().zip(system.held()).map(|(m, held)| if *held { 0.0 } else { *m }).collect();
+    for body in system.bodies().iter().filter(|body| system.held()[body.centre]) {
+        mass[body.centre] = turning_mass(system, body);
+    }
     let bound = |node: usize, c: f64| {
-        let (mass, k) = (system.mass()[node], at.stiffness[node]);
+        let (mass, k) = (mass[node], at.stiffness[node]);
         mass / (c + (c * c + 0.5 * k * mass).sqrt())
     };
-    let is_free = |node: &usize| !system.held()[*node] && system.mass()[*node] > 0.0 && at.stiffness[*node] > 0.0;
+    let is_free = |node: &usize| mass[*node] > 0.0 && at.stiffness[*node] > 0.0;
     let free: Vec<usize> = (0..nodes).filter(is_free).collect();
     let smallest = |one: (usize, f64), other: (usize, f64)| if other.1 < one.1 { other } else { one };
     let least = free.iter().map(|&node| (node, bound(node, at.damping[node]))).reduce(smallest);

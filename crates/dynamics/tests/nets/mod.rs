@@ -8,6 +8,7 @@ use netcast_dynamics::air::atmosphere::Medium;
 use netcast_dynamics::air::wind::{Series, Wind, power_law};
 use netcast_dynamics::air::{Air, Attitude, BodyDrag};
 use netcast_dynamics::body::{Body, Tie};
+use netcast_dynamics::forces::bending::Bending;
 use netcast_dynamics::forces::bilinear::Bilinear;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::breaking::Breaking;
@@ -98,6 +99,17 @@ impl Net {
         self.state.rotation.push(body.turning(rotation.0, rotation.1));
         self.parts.bodies.push(body);
         centre
+    }
+
+    /// Bends at every node between a segment and the one after it, EI in N m^2.
+    pub fn stiffen(&mut self, bending_stiffness: f64) {
+        let pairs = self.parts.segments.windows(2).filter(|pair| pair[0].ends[1] == pair[1].ends[0]);
+        let bends = pairs.filter_map(|pair| {
+            let [[a, b], [_, c]] = [pair[0].ends, pair[1].ends];
+            let lengths = [pair[0].rest_length, pair[1].rest_length];
+            Bending::new([a, b, c], lengths, bending_stiffness, 1e-5).ok()
+        });
+        self.parts.bends = bends.collect();
     }
 
     pub fn build(&self) -> System {

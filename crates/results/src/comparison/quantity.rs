@@ -61,7 +61,7 @@ const OTHERS: usize = 9;
 /// Quantities by path, `*` for any key, which stands in the label for `{}`: what they are called, what is wanted of
 /// them, and whether a designer looks for them first.
 #[rustfmt::skip]
-const NAMED: [(&str, &str, Option<Better>, bool); 80] = [
+const NAMED: [(&str, &str, Option<Better>, bool); 82] = [
     ("opening.area_max_time_s", "Opens fully at", Some(Lower), true),
     ("opening.area_max_m2", "Largest area inside the outline", Some(Higher), true),
     ("opening.reference_area_m2", "Area of the flat web", None, false),
@@ -104,6 +104,8 @@ const NAMED: [(&str, &str, Option<Better>, bool); 80] = [
     ("tension.max_where", "Highest tension in", None, true),
     ("tension.bottom_max_n", "Highest tension in the bottom ropes", Some(Lower), true),
     ("tension.bottom_mean_n", "Mean tension in the bottom ropes", Some(Lower), false),
+    ("tension.broken_segments", "Segments of rope that break", Some(Lower), true),
+    ("tension.first_break_time_s", "First break of a rope at", Some(Higher), false),
     ("tension.by_class.*.max_n", "Highest tension, {}", Some(Lower), false),
     ("tension.by_class.*.max_time_s", "Highest tension, {}, at", None, false),
     ("tension.by_class.*.margin", "Margin, {}", Some(Higher), false),

@@ -36,7 +36,7 @@ pub fn make_rigid(
         let Some((arm, path)) = arm(scenario, index as u32 + 1, body) else { continue };
         let (Some(inertia), false) = (body.solid.inertia_kg_m2(), parts.held[knot]) else {
             let (message, help) = match parts.held[knot] {
-                true => ("the corner that it is tied to is held by [hold] or [drive]", "tie it at its centre"),
+                true => ("the corner that it is tied to is held by [hold]", "tie it at its centre"),
                 false => ("a particle has a centre only", "give it a size, such as [tractor.cylinder]"),
             };
             found.push(document.diagnostic(&path, format!("tractor {}: {message}", index + 1)).with_help(help));

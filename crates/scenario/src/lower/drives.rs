@@ -54,10 +54,31 @@ pub fn drives(
     Ok(drives)
 }
 
-/// That nothing is driven that belongs to a rigid body.
-pub fn are_no_bodies(document: &Document, cut: &CutWeb, parts: &SystemParts) -> Result<(), Diagnostics> {
-    let ties: Vec<usize> = parts.bodies.iter().flat_map(|body| &body.ties).map(|tie| tie.node).collect();
-    let Some(drive) = parts.drives.iter().find(|drive| ties.contains(&drive.node)) else { return Ok(()) };
-    let message = format!("{} is tied to a rigid body, which a drive does not move", cut.node_label(drive.node));
-    Err(document.diagnostic("drive", message).with_help("make that body a particle").into())
+/// Holds what is driven. What drives a tractor or the middle of a canopy that is a rigid body drives the body's centre;
+/// the body turns freely about it.
+pub fn take_hold(
+    document: &Document,
+    cut: &CutWeb,
+    parts: &mut SystemParts,
+    position: &[DVec3],
+) -> Result<(), Diagnostics> {
+    let mut found = Vec::new();
+    for drive in &mut parts.drives {
+        let node = drive.node;
+        if let Some(body) = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == node)) {
+            let is_its_middle = cut.web.canopies.iter().any(|canopy| canopy.hub == node);
+            if !is_its_middle && !cut.web.tractors.contains(&node) {
+                let message =
+                    format!("{} is a part of a rigid body, which is driven at its middle", cut.node_label(node));
+                let help = "name the centre of its canopy, or make the canopy a membrane or links";
+                found.push(document.diagnostic("drive", message).with_help(help));
+                continue;
+            }
+            let from_node = position[body.centre] - position[node];
+            drive.path.iter_mut().for_each(|(_, place)| *place += from_node);
+            drive.node = body.centre;
+        }
+        parts.held[drive.node] = true;
+    }
+    Diagnostics::fail_if_any(found)
 }

@@ -64,7 +64,8 @@ fn along_ropes(
     (!forces.is_empty()).then_some(forces)
 }
 
-fn unknown_class(document: &Document, path: &Path, class: &str, groups: &[Group]) -> Diagnostic {
+/// That no rope is of the class named by `class` below `path`.
+pub fn unknown_class(document: &Document, path: &Path, class: &str, groups: &[Group]) -> Diagnostic {
     let mut known: Vec<&str> = groups.iter().filter(|g| g.rope.is_some()).map(|g| g.class.name()).collect();
     known.dedup();
     let help = match nearest(class, &known) {

@@ -24,14 +24,18 @@ use crate::scenario::Scenario;
 pub struct Member {
     /// As the system has it.
     pub segment: Segment,
-    part: Part,
+    /// What it is a part of.
+    pub part: Part,
 }
 
+/// What a segment is a part of; numbers count from 0.
 #[derive(Debug, Clone, Copy)]
-enum Part {
+pub enum Part {
     Rope(CutSegment),
     Spoke { canopy: usize, number: usize },
     Side { canopy: usize, number: usize },
+    Tie { number: usize },
+    Stitch { row: usize, number: usize },
 }
 
 impl Member {
@@ -44,6 +48,8 @@ impl Member {
             Part::Rope(segment) => cut.segment_label(&segment),
             Part::Spoke { canopy, number } => of("spoke", number, canopy),
             Part::Side { canopy, number } => of("side", number, canopy),
+            Part::Tie { number } => format!("break tie {}", number + 1),
+            Part::Stitch { row, number } => format!("stitch {} of row {}", number + 1, row + 1),
         }
     }
 
@@ -69,7 +75,7 @@ pub struct Materials {
 pub struct Group {
     /// Their link class.
     pub class: Class,
-    /// The name of their rope, `rope` for the default one; none for the members of canopies.
+    /// The name of their rope, `rope` for the default one; none for members of canopies, ties and stitches.
     pub rope: Option<String>,
     /// Diameter of the rope, m; none for the members of canopies.
     pub diameter: Option<f64>,
@@ -79,7 +85,7 @@ pub struct Group {
     pub knot_reduction: Option<f64>,
     /// By which its tension follows from its stretch.
     pub law: Law,
-    /// What it bears at most away from knots.
+    /// What it bears at most away from knots; the weakest of ties and stitches.
     pub breaking: Breaking,
 }
 
@@ -288,6 +294,8 @@ fn class_names(document: &Document, cut: &CutWeb, rows: &[RopeRow]) -> Result<()
     for (rope, row) in cut.web.ropes.iter().zip(rows) {
         let why = match rope.class.name() {
             "canopy" => "is kept for the members of canopies, which are no ropes",
+            "tie" => "is kept for break ties, which are no ropes",
+            "stitch" => "is kept for tear stitches, which are no ropes",
             "tension" => "is kept for the largest tension of all ropes",
             name if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
             _ => continue,

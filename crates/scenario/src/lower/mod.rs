@@ -12,6 +12,7 @@
 //! scatter     and as chance has it
 //! bodies      which of them are rigid bodies
 //! release     what is let go of, and when
+//! ties        what holds until it breaks
 //! ground      what it starts from and lands on
 //! air         what drags at it, what buoys it up
 //! wind        how the air moves
@@ -43,6 +44,7 @@ mod scatter;
 mod selection;
 mod size;
 mod stowing;
+mod ties;
 mod wind;
 
 pub use air::AirOutline;
@@ -63,7 +65,7 @@ use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Unsupported, unsupported};
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff, step_limit};
-use netcast_webs::{Audit, Bill, CutWeb};
+use netcast_webs::{Audit, Bill, Class, CutWeb};
 
 use crate::body::Solid;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -80,9 +82,11 @@ use material::Member;
 /// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
 /// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
 /// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
-fn step_fraction(system: &System, limit: &StepLimit, solve: &Solve) -> f64 {
+fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
     let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
-    let ratio = system.segments().iter().map(least).fold(f64::INFINITY, f64::min);
+    // a few threads that are gone soon lose nothing, and gain little
+    let lasting = system.segments().iter().filter(|s| !groups[s.class].class.is_made_to_break());
+    let ratio = lasting.map(least).fold(f64::INFINITY, f64::min);
     let share = |asked: f64, undamped: f64, halved_at: f64| {
         let at_a_quarter = undamped / (1.0 + ratio / halved_at);
         0.25 * libm::pow(AIM * asked / at_a_quarter, 1.0 / 3.5)
@@ -115,6 +119,8 @@ pub struct Model {
     pub scenario: Scenario,
     /// What is simulated.
     pub system: System,
+    /// The mass of it all, kg; in the system what is driven has none.
+    pub mass: f64,
     /// Where it starts, world frame.
     pub state: State,
     /// The web as drawn and cut; node k of the system is node k of the web.
@@ -179,15 +185,8 @@ impl Model {
             }
             _ => None,
         };
-        let (
-            Some(mut materials),
-            Some(stowed),
-            Some(loads),
-            Some(drives),
-            Some(mut throws),
-            Some(mut held),
-            Some(audit),
-        ) = (materials, stowed, loads, drives, throws, held, audit)
+        let (Some(mut materials), Some(stowed), Some(loads), Some(drives), Some(mut throws), Some(held), Some(audit)) =
+            (materials, stowed, loads, drives, throws, held, audit)
         else {
             return Err(Diagnostics::fail_if_any(found).expect_err("what is missing was found wrong"));
         };
@@ -196,7 +195,6 @@ impl Model {
         for &node in &cut.web.tractors {
             tractor[node] = true;
         }
-        drives.iter().for_each(|drive| held[drive.node] = true);
         let gravity = scenario.environment.gravity.si();
         let mut parts = SystemParts {
             mass: materials.mass,
@@ -227,11 +225,12 @@ impl Model {
         let mut state = State { position, velocity, rotation };
         let rigid = (&mut parts, &mut state);
         bodies::make_rigid(document, &cut, &scenario, &throws, &mut materials.bodies, rigid)?;
+        let bodies = parts.bodies.clone();
         let centre_of = |knot: usize| {
-            let body = parts.bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
+            let body = bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
             body.map_or(knot, |body| body.centre)
         };
-        drives::are_no_bodies(document, &cut, &parts)?;
+        drives::take_hold(document, &cut, &mut parts, &state.position)?;
         // what acts on a tractor acts on its middle
         for load in parts.loads.iter_mut().filter(|load| cut.web.tractors.contains(&load.node)) {
             load.node = centre_of(load.node);
@@ -242,6 +241,9 @@ impl Model {
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * (frame * DVec3::Z), &parts, &mut state);
         release::hold_back(document, &cut, &scenario, &tractors, &mut notes, (&mut parts, &mut state))?;
+        let (members, groups) = (&mut materials.members, &mut materials.groups);
+        ties::tie(document, &cut, &scenario, (members, groups), (&mut parts, &mut state))?;
+        let mass = parts.mass.iter().sum();
         ground::lay(document, &cut, &mut scenario, &materials.bodies, (&mut parts, &state))?;
         let made = air::Made {
             cut: &cut,
@@ -261,7 +263,7 @@ impl Model {
         let system =
             parts.build().map_err(|error| Diagnostics::from(document.diagnostic("rope", error.to_string())))?;
         let limit = step_limit(&system);
-        let chosen = step_fraction(&system, &limit, &scenario.solve);
+        let chosen = step_fraction(&system, &materials.groups, &limit, &scenario.solve);
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         affordable(document, &scenario, &limit, &cut, &materials.members)?;
         // the packing knows nothing of laws, nor of elements
@@ -291,6 +293,7 @@ impl Model {
         Ok(Model {
             scenario,
             system,
+            mass,
             state,
             frame,
             groups: materials.groups,
@@ -323,10 +326,12 @@ impl Model {
     pub fn step_lift(&self) -> Option<String> {
         let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
         let what = match stiffest? {
-            Stiff::Segment(segment) => {
-                let group = &self.groups[self.system.segments()[segment].class];
-                group.rope.as_ref().map_or("canopies".to_owned(), |_| format!("{} ropes", group.class.name()))
-            }
+            Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].class].class {
+                Class::Canopy => "canopies".to_owned(),
+                Class::Tie => "break ties".to_owned(),
+                Class::Stitch => "stitches".to_owned(),
+                class => format!("{class} ropes"),
+            },
             Stiff::Bending(_) => "bending of ropes".to_owned(),
             Stiff::Membrane(_) => "sheets".to_owned(),
             Stiff::Hinge(_) => "bending of sheets".to_owned(),
@@ -355,7 +360,8 @@ impl Model {
     pub fn node_label(&self, node: usize) -> String {
         match self.tied_to(node) {
             Some(knot) => format!("the centre of {}", self.cut.node_label(knot)),
-            None => self.cut.node_label(node),
+            None if node < self.cut.nodes.len() => self.cut.node_label(node),
+            None => "the place of a break tie".to_owned(),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Which nodes a load or a drive acts on.
+//! Which nodes a load or a drive acts on, or are tied.
 
 use netcast_webs::CutWeb;
 
@@ -9,6 +9,7 @@ use crate::drive::Drive;
 use crate::load::Load;
 use crate::nearest::nearest;
 use crate::path::Path;
+use crate::tie::BreakTie;
 
 /// What a scenario names.
 pub struct Selection<'s> {
@@ -27,6 +28,12 @@ impl<'s> From<&'s Load> for Selection<'s> {
 impl<'s> From<&'s Drive> for Selection<'s> {
     fn from(drive: &'s Drive) -> Self {
         Self { corners: drive.corners, tractors: drive.tractors, nodes: &drive.nodes, points: &drive.points }
+    }
+}
+
+impl<'s> From<&'s BreakTie> for Selection<'s> {
+    fn from(tie: &'s BreakTie) -> Self {
+        Self { corners: tie.corners, tractors: tie.tractors, nodes: &tie.nodes, points: &tie.points }
     }
 }
 
