@@ -38,6 +38,7 @@ pub fn landmarks(model: &Model) -> Landmarks {
     };
     Landmarks {
         axis: model.axis(),
+        ground: model.system.environment().ground.as_ref().map(|ground| ground.height),
         outline: web.outline.clone(),
         reference_area: web.reference_area(),
         flat_posture,

@@ -42,6 +42,7 @@ pub fn words(summary: &Value) -> Vec<String> {
             posture,
             mouth,
             hang,
+            landing,
             air,
             energy,
         ],
@@ -322,6 +323,18 @@ fn hang(summary: &Value) -> Option<String> {
     ))
 }
 
+fn landing(summary: &Value) -> Option<String> {
+    let flight = &summary["flight"];
+    let touch = flight["touches_down_s"].as_f64()?;
+    let drift = significant(flight["drift_m"].as_f64()?);
+    let lies = flight["lies_from_s"].as_f64().map(|from| format!(", lies still from {}", time(from)));
+    Some(format!(
+        "It touches the ground at {}{} and ends {drift} m from where it started.",
+        time(touch),
+        lies.unwrap_or_default()
+    ))
+}
+
 /// What the air has taken, or the wind given.
 fn air(summary: &Value) -> Option<String> {
     let (air, energy) = (&summary["air"], &summary["energy"]);
@@ -396,7 +409,8 @@ mod tests {
             "mouth": {"tilt_max_open_rad": 0.05, "asymmetry_max_open": 0.02},
             "target": {"diameter_m": 1.5, "coverage_max": 1.0, "coverage_max_time_s": 0.06,
                        "covered_from_s": 0.05, "covered_to_s": 0.26, "covered_duration_s": 0.21},
-            "flight": {"apex_height_m": 5.76, "apex_time_s": 0.539, "hang_time_s": 0.246, "still_up": true},
+            "flight": {"apex_height_m": 5.76, "apex_time_s": 0.539, "hang_time_s": 0.246, "still_up": true,
+                       "touches_down_s": 2.11, "lies_from_s": 2.9, "drift_m": 8.41},
             "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
             "energy": {"closure": 0.0005, "closure_web": 0.0031, "tolerance": 0.003}
         })
@@ -435,7 +449,7 @@ mod tests {
         assert!(words(&summary)[0].contains("not in equilibrium") && words(&summary)[0].contains("Do not trust"));
         summary["step"]["count"] = json!(100);
         summary["static"]["residual_relative"] = json!(1e-7);
-        assert!(words(&summary)[0].starts_with("Starts in equilibrium") && words(&summary).len() == 13);
+        assert!(words(&summary)[0].starts_with("Starts in equilibrium") && words(&summary).len() == 14);
     }
 
     #[test]
@@ -455,6 +469,7 @@ mod tests {
                 "While it is open the mouth leans by at most 2.9°, and the reach of its corners differs by 2 % at most.",
                 "The web's centre of mass rises to 5.76 m at 0.539 s and hangs within 5 % of that for at least 0.246 s, up to \
                  the end of the run.",
+                "It touches the ground at 2.110 s, lies still from 2.900 s and ends 8.41 m from where it started.",
                 "The energy balance closes to 0.05 % (0.31 % of what the web itself holds).",
             ]
         );

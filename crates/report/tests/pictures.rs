@@ -32,6 +32,7 @@ fn landmarks() -> Landmarks {
         rigid: None,
     };
     Landmarks {
+        ground: None,
         axis: DVec3::Z,
         outline: corners.iter().map(|&corner| vec![corner]).collect(),
         reference_area: Some(4.0),

@@ -1,5 +1,6 @@
-//! How long the web hangs in the air: the spell about its apex.
+//! How long the web hangs in the air, the spell about its apex; how far it drifts, and when it comes down.
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::spell::Spells;
@@ -8,34 +9,38 @@ use crate::summary::Flight;
 /// Share of its greatest height above which the web counts as hanging.
 const HANGING: f64 = 0.95;
 
-/// Follows the height of the web's centre of mass.
+/// How near it stays to where it ends when it lies still, m.
+const STILL: f64 = 0.05;
+
+/// Follows the web's centre of mass.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FlightMeasures {
-    heights: Vec<(f64, f64)>,
+    /// Time, s, where it is, m, and whether anything touches the ground, at every record.
+    places: Vec<(f64, DVec3, bool)>,
 }
 
 impl FlightMeasures {
-    /// The height above the muzzle, m, at a record time, s; times ascend.
-    pub fn add(&mut self, time: f64, height: f64) {
-        if height.is_finite() {
-            self.heights.push((time, height));
+    /// Where it is, m, at a record time, s, and whether anything touches the ground; times ascend.
+    pub fn add(&mut self, time: f64, place: DVec3, touches: bool) {
+        if place.is_finite() {
+            self.places.push((time, place, touches));
         }
     }
 
-    /// The apex and the longest spell within 5 % of it. A web that never gets above the muzzle and above where it
-    /// started has none.
+    /// The apex and the longest spell within 5 % of it, the drift and the landing. A web that never gets above the muzzle
+    /// and above where it started has no apex.
     pub fn finish(&self) -> Flight {
+        let heights = || self.places.iter().map(|(time, place, _)| (*time, place.z));
         let higher = |one: (f64, f64), other: (f64, f64)| if other.1 > one.1 { other } else { one };
-        let (Some(&(_, start)), Some((time, apex))) =
-            (self.heights.first(), self.heights.iter().copied().reduce(higher))
-        else {
+        let (Some((_, start)), Some((time, apex))) = (heights().next(), heights().reduce(higher)) else {
             return Flight::default();
         };
+        let landed = self.landing(time);
         if apex <= 0.0 || apex <= start {
-            return Flight::default();
+            return landed;
         }
         let mut spells = Spells::default();
-        for &(time, height) in &self.heights {
+        for (time, height) in heights() {
             spells.add(time, height - HANGING * apex);
         }
         let (hanging, _) = spells.finish();
@@ -45,7 +50,23 @@ impl FlightMeasures {
             hang_from_s: hanging.map(|(from, _)| from),
             hang_to_s: hanging.map(|(_, to)| to),
             hang_time_s: hanging.map(|(from, to)| to - from),
-            still_up: hanging.map(|(_, to)| self.heights.last().is_some_and(|&(last, _)| to >= last)),
+            still_up: hanging.map(|(_, to)| self.places.last().is_some_and(|&(last, ..)| to >= last)),
+            ..landed
+        }
+    }
+
+    /// The drift, and what happens after the time `apex`, s.
+    fn landing(&self, apex: f64) -> Flight {
+        let [(_, start, _), .., (_, end, lies)] = self.places[..] else { return Flight::default() };
+        let touch = self.places.iter().find(|(time, _, touches)| *time > apex && *touches);
+        let moves = self.places.iter().rposition(|(_, place, _)| place.distance(end) > STILL);
+        let still = moves.and_then(|last| self.places.get(last + 2)).filter(|_| lies);
+        Flight {
+            drift_m: Some((end - start).truncate().length()),
+            drift_azimuth_rad: (end != start).then(|| libm::atan2(end.y - start.y, end.x - start.x)),
+            touches_down_s: touch.map(|(time, ..)| *time),
+            lies_from_s: still.map(|(time, ..)| *time),
+            ..Flight::default()
         }
     }
 }
@@ -61,7 +82,7 @@ mod tests {
         let mut flight = FlightMeasures::default();
         for step in 0..=2000 {
             let time = step as f64 * 1e-3;
-            flight.add(time, speed * time - 0.5 * gravity * time * time);
+            flight.add(time, (speed * time - 0.5 * gravity * time * time) * DVec3::Z, false);
         }
         let flight = flight.finish();
         assert!((flight.hang_time_s.unwrap() - 2.0 * speed * 0.05_f64.sqrt() / gravity).abs() < 1e-5);
@@ -70,13 +91,30 @@ mod tests {
     }
 
     #[test]
+    fn a_stone_in_a_wind_comes_down_and_lies_where_it_has_drifted_to() {
+        let mut flight = FlightMeasures::default();
+        for step in 0..=300 {
+            let time = (f64::from(step) * 0.01).min(2.0);
+            let place = DVec3::new(0.0, 3.0 * time, 9.81 * time - 0.5 * 9.81 * time * time);
+            flight.add(f64::from(step) * 0.01, place, place.z <= 0.0);
+        }
+        let flight = flight.finish();
+        // it touches the ground at the start too
+        assert_eq!(
+            (flight.touches_down_s, flight.lies_from_s.map(|from| (from * 100.0).round())),
+            (Some(2.0), Some(200.0))
+        );
+        assert_eq!((flight.drift_m, flight.drift_azimuth_rad), (Some(6.0), Some(std::f64::consts::FRAC_PI_2)));
+    }
+
+    #[test]
     fn what_only_falls_has_no_apex_and_what_only_rises_is_still_up() {
         let followed = |sign: f64| {
             let mut flight = FlightMeasures::default();
-            (0..10).for_each(|step| flight.add(step as f64, sign * step as f64));
+            (0..10).for_each(|step| flight.add(step as f64, sign * step as f64 * DVec3::Z, false));
             flight.finish()
         };
-        assert_eq!(followed(-1.0), Flight::default());
+        assert_eq!(followed(-1.0).apex_height_m, None);
         assert_eq!(followed(1.0).still_up, Some(true));
         assert_eq!(FlightMeasures::default().finish(), Flight::default());
     }

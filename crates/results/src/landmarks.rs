@@ -169,6 +169,9 @@ impl BodyShape {
 pub struct Landmarks {
     /// The launch axis, a unit vector in the world frame.
     pub axis: DVec3,
+    /// Height of the ground, m; none where there is none.
+    #[serde(default, rename = "ground_m")]
+    pub ground: Option<f64>,
     /// The closed outline; each vertex the mean of its nodes. Empty where there is none.
     pub outline: Vec<Vec<usize>>,
     /// Area of the outline of the flat web along the axis, m^2.

@@ -89,7 +89,8 @@ impl MomentMeasures {
     }
 
     /// Measures the web at a record time; `mass` is that of each node, kg, and zero for tractors.
-    pub fn add(&mut self, landmarks: &Landmarks, mass: &[f64], time: f64, position: &[DVec3]) -> Moment {
+    /// `touches` tells whether anything touches the ground.
+    pub fn add(&mut self, landmarks: &Landmarks, mass: &[f64], time: f64, position: &[DVec3], touches: bool) -> Moment {
         let at = |node: usize| position[node];
         let view = View::along(landmarks.axis);
         let silhouette = Silhouette::new(&view, &landmarks.cells, at);
@@ -106,12 +107,12 @@ impl MomentMeasures {
             mass_centre_travel: (mass_centre - self.start).dot(landmarks.axis),
             mass_centre_height: mass_centre.z,
         };
+        self.flight.add(time, mass_centre, touches);
         self.follow(landmarks, time, &moment, landmarks.outline_area(at).map(|s| s.dot(landmarks.axis).abs()));
         moment
     }
 
     fn follow(&mut self, landmarks: &Landmarks, time: f64, moment: &Moment, area: Option<f64>) {
-        self.flight.add(time, moment.mass_centre_height);
         if let Some(area) = moment.shadow_area {
             self.shadow_area.add(time, area);
         }

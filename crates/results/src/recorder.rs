@@ -314,7 +314,8 @@ impl Observer for Recorder<'_> {
 
     fn record(&mut self, frame: &Frame) {
         let (landmarks, measured) = (&self.landmarks, &mut self.measured);
-        let moment = measured.at_records.add(landmarks, &self.web_mass, frame.time, frame.position);
+        let touches = frame.ledger.ground > 0.0;
+        let moment = measured.at_records.add(landmarks, &self.web_mass, frame.time, frame.position, touches);
         measured.ropes.add(landmarks, frame.tension, &self.groups);
         let group_of = |segment: usize| self.groups[segment];
         measured.at_steps.ends(landmarks, frame.time, frame.velocity, frame.tension, &group_of);

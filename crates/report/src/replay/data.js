@@ -57,6 +57,7 @@ async function decode(element) {
     origin: told.origin_m,
     step: told.step_m,
     axis: told.axis,
+    ground: told.ground_m,
     tension: { max: told.tension_max_n, decades: told.tension_decades, linearTop: told.tension_linear_top_n },
     classes: told.classes,
     areas: told.areas_m2,

@@ -146,6 +146,7 @@ mod tests {
 
     fn scene() -> Scene {
         let landmarks = Landmarks {
+            ground: None,
             axis: DVec3::Z,
             outline: vec![vec![0], vec![200], vec![400]],
             reference_area: Some(4.0),

@@ -214,6 +214,7 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "tension_linear_top_n": tensions.linear_top,
         "classes": classes,
         "axis": landmarks.axis.to_array(),
+        "ground_m": landmarks.ground,
         "areas_m2": frames.iter().map(|&frame| area(scene, frame)).collect::<Vec<_>>(),
         "reference_area_m2": landmarks.reference_area,
         "outline": landmarks.outline.iter().map(|nodes| places(nodes)).collect::<Vec<_>>(),

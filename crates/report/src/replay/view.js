@@ -1,4 +1,4 @@
-// One net on one canvas: ropes, canopies, bodies, the shaded outline, the muzzle plane, and labels over it.
+// One net on one canvas: ropes, canopies, bodies, the shaded outline, the ground or the muzzle plane, and labels over it.
 
 /** Share of the flat web's area from which a web counts as open. */
 const OPEN = 0.8;
@@ -211,6 +211,8 @@ class View {
   scenery() {
     const { data } = this;
     const [one, other, axis] = this.axes();
+    // the ground, where there is one; else the muzzle's plane
+    const [level, flat] = data.ground === null ? [[0, 0, 0], [one, other]] : [[0, 0, data.ground], [[1, 0, 0], [0, 1, 0]]];
     this.grid = niceStep(2 * data.reach, 12);
     const count = Math.ceil((1.4 * data.reach) / this.grid);
     this.gridEnd = count * this.grid;
@@ -219,13 +221,10 @@ class View {
       for (let vertex = 0; vertex < 6; vertex++) lines.push(...from, ...to, strength, fades);
     };
     for (let place = -count; place <= count; place++) {
-      for (const [along, across] of [
-        [one, other],
-        [other, one],
-      ]) {
+      for (const [along, across] of [flat, [flat[1], flat[0]]]) {
         // in pieces, so that each fades by where it is
         for (let piece = -count; piece < count; piece++) {
-          const at = (step) => add(scaled(across, place * this.grid), scaled(along, step * this.grid));
+          const at = (step) => add(level, add(scaled(across, place * this.grid), scaled(along, step * this.grid)));
           line(at(piece), at(piece + 1), place === 0 ? 1 : 0.6, 1);
         }
       }

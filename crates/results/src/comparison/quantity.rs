@@ -61,7 +61,7 @@ const OTHERS: usize = 9;
 /// Quantities by path, `*` for any key, which stands in the label for `{}`: what they are called, what is wanted of
 /// them, and whether a designer looks for them first.
 #[rustfmt::skip]
-const NAMED: [(&str, &str, Option<Better>, bool); 82] = [
+const NAMED: [(&str, &str, Option<Better>, bool); 86] = [
     ("opening.area_max_time_s", "Opens fully at", Some(Lower), true),
     ("opening.area_max_m2", "Largest area inside the outline", Some(Higher), true),
     ("opening.reference_area_m2", "Area of the flat web", None, false),
@@ -89,6 +89,10 @@ const NAMED: [(&str, &str, Option<Better>, bool); 82] = [
     ("flight.hang_to_s", "Hangs about its apex until", None, false),
     ("flight.hang_time_s", "Hangs about its apex for", Some(Higher), true),
     ("flight.still_up", "Still hangs at the end of the run", None, false),
+    ("flight.drift_m", "Drift over the ground by the end of the run", None, false),
+    ("flight.drift_azimuth_rad", "Direction of the drift", None, false),
+    ("flight.touches_down_s", "Touches the ground at", None, false),
+    ("flight.lies_from_s", "Lies still from", None, false),
     ("points.tractor.peak_travel_m", "Travel of the tractors", Some(Higher), true),
     ("points.B.peak_travel_m", "Travel of point B", Some(Higher), true),
     ("points.centre.peak_travel_m", "Travel of the centre", Some(Higher), false),
