@@ -244,9 +244,13 @@ pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
     named.into_iter().find_map(&mut read)
 }
 
-/// Reads the files of `[drive.NAME]`, by name.
-pub(crate) fn read_paths(written: &Written, found: &mut Vec<Diagnostic>) -> BTreeMap<String, Vec<PathRow>> {
-    let drives = Path::default().key("drive");
+/// Reads the files of `[drive.NAME]`, by name, or of another table of drives.
+pub(crate) fn read_paths(
+    written: &Written,
+    drives: &str,
+    found: &mut Vec<Diagnostic>,
+) -> BTreeMap<String, Vec<PathRow>> {
+    let drives = Path::parse(drives);
     let table = written.tree.get(&drives).and_then(|node| node.value.as_table());
     let names: Vec<&str> = table.into_iter().flat_map(Table::keys).collect();
     let mut paths = BTreeMap::new();

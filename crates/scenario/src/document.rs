@@ -38,6 +38,8 @@ pub struct Document {
     pub push: Option<Vec<PushRow>>,
     /// The files of `[drive.NAME]`, by name.
     pub paths: BTreeMap<String, Vec<PathRow>>,
+    /// The files of `[stow.prescribed.drive.NAME]`, by name.
+    pub stow_paths: BTreeMap<String, Vec<PathRow>>,
     /// The file of `[environment.wind.series]`.
     pub wind: Option<Vec<WindRow>>,
 }
@@ -71,13 +73,14 @@ impl Document {
         let stowed = read_stow(&written, &mut found);
         let rope_tables = read_rope_tables(&written, &mut found);
         let push = read_push(&written, &mut found);
-        let paths = read_paths(&written, &mut found);
+        let paths = read_paths(&written, "drive", &mut found);
+        let stow_paths = read_paths(&written, "stow.prescribed.drive", &mut found);
         let wind = read_wind(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths, wind })
+        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths, stow_paths, wind })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

@@ -53,4 +53,4 @@ impl Default for Environment {
 }
 
 /// Standard gravity, m/s^2 (CGPM 1901).
-const STANDARD_GRAVITY: f64 = 9.80665;
+pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;

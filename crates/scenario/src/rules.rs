@@ -165,14 +165,14 @@ fn a_run_has_an_end(written: &Written, found: &mut Vec<Diagnostic>) {
 /// The tables that a user has named in the table `of`, each with its path.
 fn named_tables<'a>(written: &'a Written, of: &str) -> Vec<(Path, &'a Table)> {
     let named = table_at(written, of).into_iter().flat_map(|table| &table.0);
-    let tables =
-        named.filter_map(|entry| Some((Path::default().key(of).key(&entry.key), entry.node.value.as_table()?)));
+    let tables = named.filter_map(|entry| Some((Path::parse(of).key(&entry.key), entry.node.value.as_table()?)));
     tables.collect()
 }
 
 fn what_is_loaded_or_driven_is_named(written: &Written, found: &mut Vec<Diagnostic>) {
     const SELECTORS: [&str; 4] = ["corners", "tractors", "nodes", "points"];
-    for (path, table) in named_tables(written, "load").into_iter().chain(named_tables(written, "drive")) {
+    let tables = ["load", "drive", "stow.prescribed.drive"].map(|of| named_tables(written, of));
+    for (path, table) in tables.into_iter().flatten() {
         let selectors = SELECTORS.into_iter().filter(|key| table.get(key).is_some());
         match (table.get("force_per_length"), table.get("class")) {
             (Some(_), _) => {

@@ -138,8 +138,10 @@ impl Scenario {
         if let Web::Graph(graph) = &mut self.web {
             files.extend([&mut graph.nodes, &mut graph.ropes]);
         }
-        if let Some(Stowage { pattern: Stow::File(file), .. }) = &mut self.stow {
-            files.push(&mut file.path);
+        match self.stow.as_mut().map(|stowage| &mut stowage.pattern) {
+            Some(Stow::File(file)) => files.push(&mut file.path),
+            Some(Stow::Prescribed(led)) => files.extend(led.drive.values_mut().filter_map(|drive| drive.file.as_mut())),
+            _ => {}
         }
         files.extend(self.launch.as_mut().and_then(Launch::file_mut));
         files.extend(self.drive.values_mut().filter_map(|drive| drive.file.as_mut()));

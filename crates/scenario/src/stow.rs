@@ -1,13 +1,16 @@
 //! `[stow.PATTERN]`: how the web is packed before it is thrown.
 
+use std::collections::BTreeMap;
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{Fraction, NonNegative, Positive, UpToOne, WholeTurn};
-use crate::quantity::{Angle, Length, Number, Time};
+use crate::drive::Drive;
+use crate::environment::STANDARD_GRAVITY;
+use crate::interval::{BelowOne, Fraction, NonNegative, Positive, UpToOne, WholeTurn};
+use crate::quantity::{Acceleration, Angle, Length, Number, Rate, Time};
 
 /// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -36,6 +39,8 @@ pub enum Stow {
     Roll(FoldStow),
     /// Flat layers on one another.
     Layers(FoldStow),
+    /// Led into a container along given paths, and settled there.
+    Prescribed(PrescribedStow),
     /// Positions from a CSV file.
     File(FileStow),
 }
@@ -50,6 +55,7 @@ impl Stow {
             Self::Star(_) => "stow.star",
             Self::Roll(_) => "stow.roll",
             Self::Layers(_) => "stow.layers",
+            Self::Prescribed(_) => "stow.prescribed",
             Self::File(_) => "stow.file",
         }
     }
@@ -60,7 +66,7 @@ impl Stow {
             Self::Zigzag(zigzag) => &mut zigzag.spacing,
             Self::Star(star) => &mut star.spacing,
             Self::Roll(fold) | Self::Layers(fold) => &mut fold.spacing,
-            Self::Scale(_) | Self::Bag(_) | Self::File(_) => return,
+            Self::Scale(_) | Self::Bag(_) | Self::Prescribed(_) | Self::File(_) => return,
         };
         spacing.get_or_insert(thickest);
     }
@@ -176,6 +182,60 @@ pub struct FoldStow {
     pub tractor_radius: Option<Length<Positive>>,
     /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
     pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+/// `[stow.prescribed]`: some knots of the flat web are led along given paths, the rest follows under weight and damping,
+/// until it rests in a tube about the launch axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PrescribedStow {
+    /// Radius of the container, m.
+    pub radius: Length<Positive>,
+    /// How far the container's floor lies below the flat web, m. Left out: there is no floor.
+    pub depth: Option<Length<NonNegative>>,
+    /// What is led, by name; displacements are those in the launch frame, from where a knot lies in the flat web. Left
+    /// out: the outline, straight to a ring of the container's radius.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub drive: BTreeMap<String, Drive>,
+    /// In which time the outline is drawn in, s, where nothing else is led.
+    #[serde(default = "drawing_in")]
+    pub time: Time<Positive>,
+    /// Acceleration into the container, m/s^2.
+    #[serde(default = "standard_gravity")]
+    pub gravity: Acceleration<NonNegative>,
+    /// Mass-proportional damping, 1/s.
+    #[serde(default = "strong_damping")]
+    pub damping: Rate<NonNegative>,
+    /// The web rests when its kinetic energy is this share of what it was at most.
+    #[serde(default = "resting_share")]
+    pub rest: Number<BelowOne>,
+    /// After which time it is taken as it is, s.
+    #[serde(default = "longest_settling")]
+    pub longest: Time<Positive>,
+    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    pub tractor_radius: Option<Length<Positive>>,
+    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    pub tractor_gap: Option<Length<NonNegative>>,
+}
+
+fn drawing_in() -> Time<Positive> {
+    Time::constant(1.0)
+}
+
+fn standard_gravity() -> Acceleration<NonNegative> {
+    Acceleration::constant(STANDARD_GRAVITY)
+}
+
+fn strong_damping() -> Rate<NonNegative> {
+    Rate::constant(5.0)
+}
+
+fn resting_share() -> Number<BelowOne> {
+    Number::constant(1e-4)
+}
+
+fn longest_settling() -> Time<Positive> {
+    Time::constant(20.0)
 }
 
 /// `[stow.imperfection]`: drawn from a seed, the same on every machine; it stretches no rope.

@@ -3,6 +3,7 @@
 mod common;
 
 use common::parse;
+use glam::DVec3;
 use netcast_scenario::lower::Model;
 
 const NET: &str = "
@@ -141,4 +142,59 @@ fn a_late_sector_that_cannot_be_is_told() {
     assert!(found.contains("late_sector.until: missing key `until`"), "{found}");
     let found = late("{ width = 1, until = 1 }\n[launch]\nspin = \"3 rad/s\"");
     assert!(found.contains("stow.imperfection.late_sector: what spins at the start is launched at once"), "{found}");
+}
+
+#[test]
+fn a_web_is_led_into_its_container_and_rests_there() {
+    let led = model("[stow.prescribed]\nradius = \"0.3 m\"\ndepth = \"0.4 m\"\n").unwrap();
+    assert!(led.audit.is_slack() && led.audit.stored_energy < 1e-12);
+    assert!(led.audit.packed_radius < 0.301, "{}", led.audit.packed_radius);
+    assert!(led.state.velocity.iter().all(|v| v.length() == 0.0));
+    assert!(led.notes.iter().any(|note| note.starts_with("the web came to rest in its container")), "{:?}", led.notes);
+}
+
+/// The net without its traction ropes, led by hand.
+fn led_by_hand(keys: &str) -> Result<Model, String> {
+    let text = format!("{NET}[stow.prescribed]\n{keys}");
+    let document = parse(&text, &["traction_rope.length=0"]).map_err(|wrong| wrong.to_string())?;
+    Model::new(&document).map_err(|wrong| wrong.to_string())
+}
+
+#[test]
+fn what_is_led_by_hand_is_where_it_is_led_to() {
+    let led = led_by_hand(
+        "radius = \"0.9 m\"\n\
+         drive.left = { nodes = [\"web corner 3\"], path = [{ time = \"1 s\", by = [\"0.7 m\", \"0.7 m\", 0] }] }\n\
+         drive.right = { nodes = [\"web corner 1\"], path = [{ time = \"1 s\", by = [\"-0.7 m\", \"-0.7 m\", 0] }] }\n",
+    )
+    .unwrap();
+    let knot = |number: usize| led.state.position[number - 1];
+    // the outer corners come 0.3 m near to the middle along x and y, the others fall
+    assert!((knot(1) - knot(25)).distance(DVec3::new(-0.6, -0.6, 0.0)) < 1e-9, "{} {}", knot(1), knot(25));
+    assert!(knot(5).z < knot(1).z - 0.5 && knot(21).z < knot(1).z - 0.5);
+}
+
+#[test]
+fn what_cannot_be_led_is_told() {
+    let found = |keys: &str| told(&format!("[stow.prescribed]\n{keys}\n"));
+    let drive = |keys: &str| found(&format!("radius = \"0.9 m\"\ndrive.it = {{ {keys} }}"));
+    let by = "path = [{ time = 1, by = [\"-0.1 m\", \"-0.1 m\", 0] }]";
+    let apart = format!(
+        "radius = \"1.3 m\"\ndrive.it = {{ nodes = [\"web corner 3\"], {by} }}\n\
+         drive.other = {{ nodes = [\"web corner 2\", \"web corner 4\"], path = [{{ time = 1, by = [0, 0, 0] }}] }}"
+    );
+    let wrong = led_by_hand(&apart).map(|_| ()).unwrap_err();
+    assert!(wrong.contains("stow.prescribed: the stowed web is stretched: segment"), "{wrong}");
+    let wrong = drive(&format!("nodes = [\"knot 99\"], {by}"));
+    assert!(wrong.contains("stow.prescribed.drive.it.nodes[0]: unknown node \"knot 99\""), "{wrong}");
+    let wrong = drive(by);
+    assert!(wrong.contains("stow.prescribed.drive.it: nothing is named on which it acts"), "{wrong}");
+    let wrong = drive(&format!("tractors = true, {by}"));
+    assert!(wrong.contains("tractor 1 is no part of the web itself"), "{wrong}");
+    let wrong = drive("corners = true, file = \"none.csv\"");
+    assert!(wrong.contains("stow.prescribed.drive.it.file: cannot read none.csv"), "{wrong}");
+    let wrong = found("radius = \"3 m\"");
+    assert!(wrong.contains("stow.prescribed.radius: ") && wrong.contains("at most the web's own"), "{wrong}");
+    let wrong = found("radius = \"0.3 m\"\ntractor_gap = \"2 m\"");
+    assert!(wrong.contains("stow.prescribed.tractor_gap: tractors 2 m above"), "{wrong}");
 }

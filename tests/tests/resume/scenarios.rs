@@ -11,7 +11,7 @@ use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
 /// What a scenario is called, and its text.
-pub const SCENARIOS: [(&str, &str); 38] = [
+pub const SCENARIOS: [(&str, &str); 41] = [
     (
         "space web, everything on board",
         r#"
@@ -673,10 +673,52 @@ solve = { duration = "40 ms", segment_length = "0.25 m", on_energy_error = "flag
 record.every = "2 ms"
 "#,
     ),
+    (
+        "square net drawn in to a ring",
+        r#"
+web.square = { side = "2 m", mesh = "0.5 m" }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
+tractor.particle.mass = "0.3 kg"
+traction_rope.length = "0.5 m"
+stow.prescribed = { radius = "0.2 m", depth = "0.3 m", time = "0.5 s", gravity = "5 m/s^2", damping = "8 1/s", rest = "1 %", longest = "4 s", tractor_radius = "0.25 m", tractor_gap = "0.1 m" }
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "30 ms", segment_length = "0.25 m" }
+record.every = "2 ms"
+"#,
+    ),
+    (
+        "slack graph led by its corners and its middle",
+        r#"
+web.graph = { nodes = "nodes.csv", ropes = "slack.csv", outline = ["a", "b", "c", "d"], corners = ["a", "b", "c", "d"] }
+points.B = "m"
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+tractor.particle.mass = "0.3 kg"
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "40 ms", segment_length = "0.2 m" }
+record.every = "2 ms"
+
+[stow.prescribed]
+radius = "1.4 m"
+drive.edge = { corners = true, tractors = false, path = [{ time = "0.3 s", by = [0, 0, "-0.1 m"] }] }
+drive.middle = { points = ["B"], nodes = ["m"], path = [{ time = "0.2 s", by = [0, 0, "-0.2 m"] }] }
+"#,
+    ),
+    (
+        "slack graph led by its tractors, from a file",
+        r#"
+web.graph = { nodes = "nodes.csv", ropes = "slack.csv", corners = ["a", "b", "c", "d"] }
+rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
+tractor.particle.mass = "0.3 kg"
+launch = { axial_speed = "20 m/s", radial_speed = "10 m/s" }
+solve = { duration = "40 ms", segment_length = "0.2 m" }
+record.every = "2 ms"
+stow.prescribed = { radius = "1.3 m", drive.all = { tractors = true, corners = false, file = "path.csv" } }
+"#,
+    ),
 ];
 
 /// The files that scenarios name: every column that such files can have.
-const FILES: [(&str, &str); 9] = [
+const FILES: [(&str, &str); 10] = [
     ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
     (
         "moving.csv",
@@ -693,6 +735,7 @@ const FILES: [(&str, &str); 9] = [
         "a,b,rope,segments\na,b,linear,\nb,c,bilinear,\nc,d,table,\nd,a,viscoelastic,\na,m,strut,1\nb,m,table,\n\
          c,m,,\nd,m,viscoelastic,\n",
     ),
+    ("slack.csv", "a,b,rest_length\na,b,2.2\nb,c,2.2\nc,d,2.2\nd,a,2.2\na,m,1.5\nb,m,1.5\nc,m,1.5\nd,m,1.5\n"),
     ("belt.csv", "strain,tension,unloading\n0,0,0\n0.02,200,20\n0.1,1500,1500\n"),
     ("path.csv", "t,x,y,z\n0,0,0,0\n0.004,0,0,0.05\n0.02,0.1,0,0.05\n"),
     ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),

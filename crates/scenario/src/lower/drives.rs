@@ -1,57 +1,66 @@
 //! What a scenario moves along given paths, node by node.
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 use netcast_dynamics::drive::Drive;
 use netcast_dynamics::system::SystemParts;
 use netcast_webs::CutWeb;
 
 use super::selection::Selection;
+use crate::csv_files::PathRow;
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::drive::misplaced;
 use crate::path::Path;
-use crate::scenario::Scenario;
 
-/// The drives, by name and then by node; `position` is where the nodes start in the world, m.
-pub fn drives(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    position: &[DVec3],
-) -> Result<Vec<Drive>, Diagnostics> {
-    let (mut drives, mut found) = (Vec::<Drive>::new(), Vec::new());
-    for (name, drive) in &scenario.drive {
-        let path = Path::default().key("drive").key(name);
-        let mut points = vec![(0.0, DVec3::ZERO)];
-        let of_file = document.paths.get(name).into_iter().flatten().map(|row| (row.time_s, row.displacement_m));
-        let listed = drive.path.iter().flatten().map(|point| (point.time.si(), point.by.map(|by| by.si())));
-        let mut before = None;
-        for (index, (time, by)) in of_file.chain(listed).enumerate() {
-            // the rows of a file have been looked at
-            if let Some(why) = misplaced(time, by, before) {
-                found.push(document.diagnostic(&path.key("path").index(index).to_string(), why));
+/// Drives as a scenario names them.
+pub struct Drives<'s> {
+    /// The table that they stand in.
+    pub table: &'s str,
+    /// By name.
+    pub drives: &'s BTreeMap<String, crate::drive::Drive>,
+    /// The files of their paths, by name.
+    pub files: &'s BTreeMap<String, Vec<PathRow>>,
+}
+
+impl Drives<'_> {
+    /// By name and then by node; `position` is where the nodes start, m.
+    pub fn resolve(&self, document: &Document, cut: &CutWeb, position: &[DVec3]) -> Result<Vec<Drive>, Diagnostics> {
+        let (mut drives, mut found) = (Vec::<Drive>::new(), Vec::new());
+        for (name, drive) in self.drives {
+            let path = Path::parse(self.table).key(name);
+            let mut points = vec![(0.0, DVec3::ZERO)];
+            let of_file = self.files.get(name).into_iter().flatten().map(|row| (row.time_s, row.displacement_m));
+            let listed = drive.path.iter().flatten().map(|point| (point.time.si(), point.by.map(|by| by.si())));
+            let mut before = None;
+            for (index, (time, by)) in of_file.chain(listed).enumerate() {
+                // the rows of a file have been looked at
+                if let Some(why) = misplaced(time, by, before) {
+                    found.push(document.diagnostic(&path.key("path").index(index).to_string(), why));
+                }
+                before = Some(time);
+                points.extend((time > 0.0).then_some((time, DVec3::from(by))));
             }
-            before = Some(time);
-            points.extend((time > 0.0).then_some((time, DVec3::from(by))));
+            let nodes = match Selection::from(drive).resolve(document, cut, &path) {
+                Ok(nodes) => nodes,
+                Err(Diagnostics(wrong)) => {
+                    found.extend(wrong);
+                    continue;
+                }
+            };
+            for node in nodes {
+                if drives.iter().any(|other| other.node == node) {
+                    let message = format!("{} is moved by another drive already", cut.node_label(node));
+                    found.push(document.diagnostic(&path.to_string(), message));
+                }
+                let path = points.iter().map(|&(time, by)| (time, position[node] + by)).collect();
+                drives.push(Drive { node, path });
+            }
         }
-        let nodes = match Selection::from(drive).resolve(document, cut, &path) {
-            Ok(nodes) => nodes,
-            Err(Diagnostics(wrong)) => {
-                found.extend(wrong);
-                continue;
-            }
-        };
-        for node in nodes {
-            if drives.iter().any(|other| other.node == node) {
-                let message = format!("{} is moved by another drive already", cut.node_label(node));
-                found.push(document.diagnostic(&path.to_string(), message));
-            }
-            let path = points.iter().map(|&(time, by)| (time, position[node] + by)).collect();
-            drives.push(Drive { node, path });
-        }
+        Diagnostics::fail_if_any(found)?;
+        Ok(drives)
     }
-    Diagnostics::fail_if_any(found)?;
-    Ok(drives)
 }
 
 /// Holds what is driven. What drives a tractor or the middle of a canopy that is a rigid body drives the body's centre;

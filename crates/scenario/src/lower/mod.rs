@@ -7,6 +7,7 @@
 //! rope_law    laws of tension, and when a rope breaks
 //! canopies    plates and sheets: their triangles, and what of them is rigid
 //! stowing     where the nodes lie
+//! prescribed  what is led into its container
 //! packing     how densely, and how near each other
 //! launch      how the tractors are thrown, as meant
 //! scatter     and as chance has it
@@ -38,6 +39,7 @@ mod launch;
 mod loads;
 mod material;
 mod packing;
+mod prescribed;
 mod release;
 mod rope_law;
 mod scatter;
@@ -74,6 +76,7 @@ use crate::scenario::Scenario;
 use crate::solve::Solve;
 use binding::Bound;
 use canopies::Canopies;
+use drives::Drives;
 use material::Member;
 
 /// The share of the stability limit at which a web's energy balance closes to what is asked, with room to
@@ -167,14 +170,18 @@ impl Model {
         let materials = gather(material::materials(document, &mut cut, &scenario, &mut notes), &mut found);
         let no_canopies = Canopies::default();
         let canopies = materials.as_ref().map_or(&no_canopies, |made| &made.canopies);
-        let stowed = gather(stowing::stow(document, &cut, &scenario, canopies), &mut found);
+        let mass = materials.as_ref().map_or(&[][..], |made| &made.mass);
+        let stowed = gather(stowing::stow(document, &cut, &scenario, canopies, mass), &mut found);
         let position: Vec<DVec3> = stowed.iter().flat_map(|stowed| &stowed.positions).map(|&x| frame * x).collect();
         let loads = match &materials {
             Some(made) => gather(loads::loads(document, &cut, &scenario, &made.members, &made.groups), &mut found),
             None => None,
         };
         let drives = match position.is_empty() {
-            false => gather(drives::drives(document, &cut, &scenario, &position), &mut found),
+            false => {
+                let named = Drives { table: "drive", drives: &scenario.drive, files: &document.paths };
+                gather(named.resolve(document, &cut, &position), &mut found)
+            }
             true => None,
         };
         let throws = gather(launch::throws(document, &cut, &scenario), &mut found);
@@ -235,6 +242,7 @@ impl Model {
         for load in parts.loads.iter_mut().filter(|load| cut.web.tractors.contains(&load.node)) {
             load.node = centre_of(load.node);
         }
+        notes.extend(stowed.settled);
         let tractors: Vec<usize> = cut.web.tractor_ring().into_iter().map(centre_of).collect();
         throws.iter_mut().flatten().for_each(|throw| throw.node = centre_of(throw.node));
         release::throw(&mut throws, &mut parts, &mut state);

@@ -5,12 +5,13 @@ use netcast_dynamics::forces::element::Element;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::membrane::Membrane;
 use netcast_webs::{
-    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, PackingError, Pattern, Scale,
+    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, PackingError, Pattern, Scale, Settled,
     StiffPlate, StowedSegment, audit as look_over,
 };
 
 use super::canopies::{Canopies, CutSheet};
 use super::material::Materials;
+use super::prescribed::prescribed;
 use crate::canopy::Canopy;
 use crate::csv_files::StowRow;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -19,7 +20,7 @@ use crate::interval::Positive;
 use crate::nearest::nearest;
 use crate::quantity::Length;
 use crate::scenario::Scenario;
-use crate::stow::{Along, Container as Room, Stow};
+use crate::stow::{Along, Container as Room, PrescribedStow, Stow};
 
 /// Where everything is at launch, in the launch frame.
 #[derive(Debug, Clone)]
@@ -28,17 +29,29 @@ pub struct Stowed {
     pub positions: Vec<DVec3>,
     /// How each canopy is turned against the flat web, where it keeps its shape.
     pub turns: Vec<DMat3>,
+    /// How it came to rest, in words, where it had to.
+    pub settled: Option<String>,
 }
 
-/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes.
+/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes. `mass` is that of its nodes,
+/// kg; without it, nothing is led.
 pub fn stow(
     document: &Document,
     cut: &CutWeb,
     scenario: &Scenario,
     canopies: &Canopies,
+    mass: &[f64],
 ) -> Result<Stowed, Diagnostics> {
     let mut turns = vec![DMat3::IDENTITY; cut.web.canopies.len()];
-    let Some(stowage) = &scenario.stow else { return Ok(Stowed { positions: cut.nodes.clone(), turns }) };
+    let Some(stowage) = &scenario.stow else {
+        return Ok(Stowed { positions: cut.nodes.clone(), turns, settled: None });
+    };
+    let imperfection = stowage.imperfection.as_ref().map(|imperfect| Imperfection {
+        scatter: imperfect.scatter.si(),
+        twist: imperfect.twist.si(),
+        slack: imperfect.slack.si(),
+        seed: imperfect.seed.into(),
+    });
     let pattern = match &stowage.pattern {
         Stow::Scale(scale) => Pattern::Scale(Scale { factor: scale.factor.si() }),
         Stow::Bag(bag) => Pattern::Bag(Bag {
@@ -46,6 +59,7 @@ pub fn stow(
             depth: bag.depth.map(|d| d.si()),
             mouth: mouth(bag.tractor_radius, bag.tractor_gap),
         }),
+        Stow::Prescribed(led) => return settle(document, cut, canopies, mass, (led, imperfection.as_ref()), turns),
         Stow::File(_) => {
             let rows = document.stowed.as_ref().expect("a document with a stow file has read it");
             Pattern::Given(Given { positions: given(document, cut, rows)? })
@@ -70,22 +84,14 @@ pub fn stow(
             folded(Folding::Layers, &layers.container, layers.spacing, mouth)
         }
     };
-    let imperfection = stowage.imperfection.as_ref().map(|imperfect| Imperfection {
-        scatter: imperfect.scatter.si(),
-        twist: imperfect.twist.si(),
-        slack: imperfect.slack.si(),
-        seed: imperfect.seed.into(),
-    });
     let packed = pattern.pack_imperfectly(cut, imperfection.as_ref()).map_err(|error| {
-        let key = match (&pattern, &error) {
-            (Pattern::Scale(_), _) => "factor",
-            (Pattern::Given(_), _) => "path",
-            (Pattern::Bag(_), PackingError::Depth { .. }) => "depth",
-            (_, PackingError::TractorOutOfReach { .. }) => "tractor_radius",
-            (_, PackingError::Gap { .. }) => "tractor_gap",
-            (Pattern::Bag(_), _) => "radius",
-            (Pattern::Folded(_), _) => "container",
+        let size = match &pattern {
+            Pattern::Scale(_) => "factor",
+            Pattern::Given(_) => "path",
+            Pattern::Bag(_) => "radius",
+            Pattern::Folded(_) => "container",
         };
+        let key = key_of(&error).unwrap_or(size);
         document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
     })?;
     let mut positions = packed;
@@ -95,11 +101,11 @@ pub fn stow(
             let plates = canopies.laid_in_folds();
             let turned = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
             plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
-            return Ok(Stowed { positions, turns });
+            return Ok(Stowed { positions, turns, settled: None });
         }
         Pattern::Scale(_) | Pattern::Bag(_) => {
             StiffPlate::lay(&canopies.plates, cut, &mut positions);
-            return Ok(Stowed { positions, turns });
+            return Ok(Stowed { positions, turns, settled: None });
         }
     };
     for sheet in &canopies.sheets {
@@ -120,7 +126,42 @@ pub fn stow(
         }
     }
     Diagnostics::fail_if_any(found)?;
-    Ok(Stowed { positions, turns })
+    Ok(Stowed { positions, turns, settled: None })
+}
+
+/// The web led into its container.
+fn settle(
+    document: &Document,
+    cut: &CutWeb,
+    canopies: &Canopies,
+    mass: &[f64],
+    (led, imperfection): (&PrescribedStow, Option<&Imperfection>),
+    mut turns: Vec<DMat3>,
+) -> Result<Stowed, Diagnostics> {
+    // what is wrong with the masses is told elsewhere
+    if mass.is_empty() {
+        return Err(Diagnostics(Vec::new()));
+    }
+    let packing = prescribed(document, cut, led, mass, canopies.laid_in_folds())?;
+    let (positions, turned, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
+        let key = key_of(&error).unwrap_or(if error == PackingError::NothingLed { "drive" } else { "radius" });
+        document.diagnostic(&format!("stow.prescribed.{key}"), error.to_string())
+    })?;
+    packing.plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
+    let how = if share <= packing.rest { "came to rest" } else { "was taken as it was" };
+    let settled =
+        format!("the web {how} in its container after {time:.2} s, at {share:.1e} of its largest kinetic energy");
+    Ok(Stowed { positions, turns, settled: Some(settled) })
+}
+
+/// The key of a packing's table that an error is about; none for the size of the pack.
+fn key_of(error: &PackingError) -> Option<&'static str> {
+    match error {
+        PackingError::Depth { .. } | PackingError::Size { what: "depth", .. } => Some("depth"),
+        PackingError::TractorOutOfReach { .. } => Some("tractor_radius"),
+        PackingError::Gap { .. } => Some("tractor_gap"),
+        _ => None,
+    }
 }
 
 fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mouth: Mouth) -> Pattern {
@@ -135,7 +176,7 @@ fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mout
     Pattern::Folded(Folded { folding, container, spacing, mouth })
 }
 
-fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
+pub(super) fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
     Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
 }
 

@@ -13,12 +13,6 @@ use super::plate::StiffPlate;
 use super::ties::{self, Drawn, Tie};
 use crate::CutWeb;
 
-/// How much shorter than its rest length a segment becomes that was too long, relative: sweeps then come to an end.
-const AIM: f64 = 1e-3;
-
-/// After as many sweeps as that what is still stretched stays so, for the audit to tell.
-const MOST_SWEEPS: usize = 20_000;
-
 /// Corners nearer to one line than that, relative, do not say how a plate is turned about it.
 const FLAT: f64 = 1e-9;
 
@@ -46,7 +40,7 @@ impl StiffPlate {
         let is_on_a_plate = |knot: &usize| plates.iter().any(|plate| plate.nodes.contains(knot));
         cut_web.web.tractors.iter().filter(|&knot| !is_on_a_plate(knot)).for_each(|&knot| ease[knot] = 0.0);
         let ties: Vec<Tie> = ties::of_ropes(cut_web).collect();
-        Drawn { cut_web, ties: &ties, plates, ease: &ease }.draw_in(AIM, MOST_SWEEPS, &mut turns, packed);
+        Drawn { cut_web, ties: &ties, plates, ease: &ease }.draw_in(&mut turns, packed);
         turns
     }
 }

@@ -99,7 +99,7 @@ pub enum PackingError {
         value: f64,
     },
     /// The bag is wider than the web.
-    #[error("the bag's radius of {radius} m must be more than 0 and at most the web's own, {limit:.4} m")]
+    #[error("the radius of {radius} m must be more than 0 and at most the web's own, {limit:.4} m")]
     Radius {
         /// The radius given, m.
         radius: f64,

@@ -29,12 +29,6 @@ const SWEEPS: usize = 10;
 /// Length of the pieces that ropes hang in, as a share of the web's radius.
 const PIECE: f64 = 1.0 / 25.0;
 
-/// How much shorter a piece becomes at the end that was still too long, relative.
-const AIM: f64 = 1e-3;
-
-/// Sweeps at the end, at most; what is still stretched stays so, for the audit to tell.
-const MOST_SWEEPS: usize = 20_000;
-
 /// Points of the path that a knot is drawn in along.
 const POINTS: u32 = 32;
 
@@ -207,7 +201,7 @@ impl<'a> Settling<'a> {
             share = if largest > 0.0 { energy / largest } else { 0.0 };
         }
         let Self { packing, cut_web, ties, ease, position, turns, .. } = self;
-        Drawn { cut_web, ties, plates: &packing.plates, ease }.draw_in(AIM, MOST_SWEEPS, turns, position);
+        Drawn { cut_web, ties, plates: &packing.plates, ease }.draw_in(turns, position);
         self.fill_in();
         Settled { time: f64::from(step) * STEP, share }
     }

@@ -19,6 +19,12 @@ pub(super) struct Tie {
 /// A stretch that is none, relative.
 const ROUNDING: f64 = 1e-12;
 
+/// How much shorter than it may be a tie becomes that was too long, relative: sweeps then come to an end.
+const AIM: f64 = 1e-3;
+
+/// Sweeps at most.
+const MOST_SWEEPS: usize = 20_000;
+
 /// Each segment of rope.
 pub(super) fn of_ropes(cut_web: &CutWeb) -> impl Iterator<Item = Tie> {
     cut_web.segments().map(|segment| Tie { ends: [segment.a, segment.b], length: segment.rest_length })
@@ -81,8 +87,8 @@ impl Drawn<'_> {
         }
     }
 
-    /// Sweeps until nothing is stretched, at most so many times.
-    pub fn draw_in(&self, aim: f64, most_sweeps: usize, turns: &mut [DMat3], packed: &mut [DVec3]) {
-        (0..most_sweeps).any(|sweep| !self.sweep(sweep % 2 == 1, aim, turns, packed));
+    /// Sweeps until nothing is stretched; what still is after very many stays so, for the audit to tell.
+    pub fn draw_in(&self, turns: &mut [DMat3], packed: &mut [DVec3]) {
+        (0..MOST_SWEEPS).any(|sweep| !self.sweep(sweep % 2 == 1, AIM, turns, packed));
     }
 }
