@@ -30,7 +30,8 @@ impl Run {
         Run::of(&document)
     }
 
-    /// Runs a graph web: `scenario` is TOML, all but `[web.graph]`; `nodes` and `ropes` are the texts of its CSV files.
+    /// Runs a graph web: `scenario` is TOML, with or without `web.graph`; `nodes` and `ropes` are the texts of its CSV
+    /// files, nodes.csv and ropes.csv.
     ///
     /// # Panics
     /// Where the scenario is wrong or the run fails.
@@ -39,7 +40,10 @@ impl Run {
         for (name, text) in [("nodes.csv", nodes), ("ropes.csv", ropes)] {
             std::fs::write(inputs.path().join(name), text).expect("a file in a temporary folder");
         }
-        let web = "[web.graph]\nnodes = \"nodes.csv\"\nropes = \"ropes.csv\"\n";
+        let web = match scenario.contains("web.graph") {
+            true => "",
+            false => "[web.graph]\nnodes = \"nodes.csv\"\nropes = \"ropes.csv\"\n",
+        };
         let source = Source { name: "graph.toml".into(), text: format!("{scenario}{web}") };
         let document = Document::parse(source, inputs.path(), &[]).unwrap_or_else(|e| panic!("{e}"));
         Run::of(&document)

@@ -188,6 +188,9 @@ fn a_wind_has_its_direction_its_profile_and_its_gust() {
     close(blown(log).wind.at(10.0, 0.0), DVec3::X * 5.0);
     close(blown(log).wind.at(40.0, 0.0), DVec3::X * 5.0 * 400f64.ln() / 100f64.ln());
     close(blown(log).wind.at(0.05, 0.0), DVec3::ZERO);
+    // the ground says where a profile begins
+    let over_ground = log.to_owned() + "\n[environment.ground]\nheight = \"-3 m\"";
+    close(blown(&over_ground).wind.at(7.0, 0.0), DVec3::X * 5.0);
     let gust =
         "speed = \"5 m/s\"\ngust = { speed = \"4 m/s\", at = \"0.5 s\", duration = \"1 s\", azimuth = \"180 deg\" }";
     close(blown(gust).wind.at(3.0, 1.0), DVec3::X);

@@ -17,7 +17,7 @@ pub const SCENARIOS: [(&str, &str); 41] = [
         r#"
 title = "Everything on board"
 web.space.side = "1 m"
-canopy.links = { material = "aramid cloth", side = "0.1 m", thickness = "5 mm", density = 2000, elastic_modulus = "9 GPa", damping_ratio = 0.1 }
+canopy.links = { material = "aramid cloth", side = "0.1 m", thickness = "5 mm", density = 2000, elastic_modulus = "9 GPa", damping_ratio = 0.1, porosity = 0.05 }
 payload.cylinder = { diameter = "60 mm", height = "66 mm", density = 2710 }
 sensor.cylinder.mass = "0.2 kg"
 tractor.cylinder = { diameter = "50 mm", height = "0.1 m", density = 7800 }
@@ -71,8 +71,9 @@ record.every = "0.2 ms"
         "space web, bodies without size",
         r#"
 web.space.side = "1 m"
-payload.particle.mass = "0.1 kg"
-sensor.particle.mass = "0.2 kg"
+payload.particle = { mass = "0.1 kg", diameter = "0.3 m" }
+sensor.particle = { mass = "0.2 kg", diameter = "50 mm" }
+environment.air.solidity = "web"
 rope = { diameter = "3 mm", material = "LCP rope", elastic_modulus = "7 GPa" }
 solve = { duration = "2 ms", segment_length = "0.2 m" }
 record.every = "0.2 ms"
@@ -93,7 +94,7 @@ record.every = "0.2 ms"
 
 [[tractors]]
 corner = 2
-particle.mass = "0.9 kg"
+particle = { mass = "0.9 kg", diameter = "60 mm" }
 axial_speed = "25 m/s"
 radial_speed = "15 m/s"
 elevation = "80 deg"
@@ -249,6 +250,8 @@ record.every = "2 ms"
 web.square = { side = "2 m", mesh = "0.5 m", segments_per_mesh = 2 }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
 hold.corners = true
+environment.air = {}
+environment.wind.series.file = "wind.csv"
 load.middle = { force = ["0 N", "3 N", "-20 N"], points = ["B"], nodes = ["knot 8"] }
 load.pull = { force = ["30 N", 0, 0], nodes = ["knot 12"], ramp = "10 ms" }
 load.snow = { force_per_length = [0, 0, "-2 N/m"], class = "inner" }
@@ -298,6 +301,8 @@ solve.duration = "12 ms"
         r#"
 web.graph = { nodes = "moving.csv", ropes = "laws.csv" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa", strength = "60 N", breaking = {} }
+environment.air = {}
+environment.wind = { speed = "8 m/s", turbulence.dryden = { deviation = "2 m/s", length_scale = "5 m" } }
 solve = { duration = "12 ms", segment_length = "0.3 m" }
 
 [ropes.linear]
@@ -476,7 +481,9 @@ record.every = "0.5 ms"
         "square net from tubes, by a force over the stroke, from a file",
         r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
-tractor.particle.mass = "0.3 kg"
+environment.air = { density = "1000 kg/m^3", viscosity = "1 mPa s", added_mass = 1, solidity = 0.2 }
+environment.wind = { speed = "2 m/s", turbulence.von_karman = { intensity = 0.1, length_scale = "5 m" } }
+tractor.particle = { mass = "0.3 kg", diameter = "50 mm" }
 traction_rope.length = "0.3 m"
 stow.bag.radius = "0.2 m"
 launch.tube = { stroke = "20 mm", force_over_stroke.file = "spring.csv" }
@@ -502,10 +509,17 @@ record.every = "0.5 ms"
         "space web of rigid plates",
         r#"
 web.space.side = "1 m"
-canopy.rigid = { side = "0.1 m", thickness = "5 mm", density = 2000 }
+canopy.rigid = { side = "0.1 m", thickness = "5 mm", density = 2000, porosity = 0.1 }
 payload.cylinder = {}
 sensor.particle.mass = "0.2 kg"
 tractor.particle.mass = "1 kg"
+environment.air = { altitude = "300 m", normal_coefficient = 1.1, tangential_coefficient = 0.03, sheet_coefficient = 1.2, buoyancy = true }
+environment.wind.speed = "6 m/s"
+environment.wind.azimuth = "30 deg"
+environment.wind.muzzle_height = "2 m"
+environment.wind.power = { exponent = 0.2, reference_height = "8 m" }
+environment.wind.gust = { speed = "5 m/s", at = "0.5 ms", duration = "1 ms", azimuth = "90 deg" }
+environment.wind.turbulence.von_karman = { deviation = "1 m/s", length_scale = "20 m", seed = 3 }
 stow.scale.factor = 0.5
 launch.radial_speed = "30 m/s"
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", bending_stiffness = "0.002 N m^2" }
@@ -525,6 +539,10 @@ launch.radial_speed = "30 m/s"
 rope = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa" }
 ropes.stiff = { diameter = "3 mm", density = 1440, elastic_modulus = "7 GPa", bending_stiffness = 0.001 }
 assign.radial = "stiff"
+environment.air.buoyancy = false
+environment.wind.speed = "6 m/s"
+environment.wind.logarithmic = { roughness = "10 cm", reference_height = "8 m" }
+environment.wind.turbulence.dryden = { intensity = 0.2, length_scale = "20 m", seed = 3 }
 solve = { duration = "2 ms", segment_length = "0.1 m" }
 record.every = "0.2 ms"
 
@@ -538,6 +556,7 @@ elastic_modulus_across = "5 GPa"
 poisson_ratio = 0.2
 shear_modulus = "1 GPa"
 fibre_angle = "30 deg"
+porosity = 0.04
 fineness = 4
 wrinkles = false
 bending = "plate"
@@ -740,6 +759,7 @@ const FILES: [(&str, &str); 10] = [
     ("path.csv", "t,x,y,z\n0,0,0,0\n0.004,0,0,0.05\n0.02,0.1,0,0.05\n"),
     ("stowed.csv", "id,x,y,z\na,0.4,0.4,0\nb,-0.4,0.4,0\nc,-0.4,-0.4,0\nd,0.4,-0.4,0\nm,0,0,-0.3\n"),
     ("pulse.csv", "time,force\n0,0\n0.001,2000\n0.003,0\n"),
+    ("wind.csv", "t,vx,vy,vz\n0,8,0,0\n0.01,4,3,1\n0.025,9,0,0\n"),
     ("spring.csv", "stroke,force\n0,2000\n0.02,0\n"),
 ];
 

@@ -171,8 +171,9 @@ fn drawn_solidity(made: &Made) -> Option<f64> {
     let area = made.cut.web.reference_area().filter(|area| *area > 0.0)?;
     let projected = made.members.iter().filter_map(|Member { segment, .. }| {
         let group = &made.groups[segment.class];
+        let diameter = group.diameter.filter(|_| group.class != Class::Traction)?;
         let [a, b] = segment.ends.map(|end| made.cut.nodes[end]);
-        (group.class != Class::Traction).then_some(a.distance(b) * group.diameter?)
+        Some(a.distance(b) * diameter)
     });
     Some(projected.sum::<f64>() / area)
 }
