@@ -60,7 +60,7 @@ impl FlightMeasures {
         let [(_, start, _), .., (_, end, lies)] = self.places[..] else { return Flight::default() };
         let touch = self.places.iter().find(|(time, _, touches)| *time > apex && *touches);
         let moves = self.places.iter().rposition(|(_, place, _)| place.distance(end) > STILL);
-        let still = moves.and_then(|last| self.places.get(last + 2)).filter(|_| lies);
+        let still = moves.and_then(|last| self.places.get(last + 1)).filter(|_| lies);
         Flight {
             drift_m: Some((end - start).truncate().length()),
             drift_azimuth_rad: (end != start).then(|| libm::atan2(end.y - start.y, end.x - start.x)),

@@ -737,7 +737,7 @@ stow.prescribed = { radius = "1.3 m", drive.all = { tractors = true, corners = f
 ];
 
 /// The files that scenarios name: every column that such files can have.
-const FILES: [(&str, &str); 10] = [
+const FILES: [(&str, &str); 11] = [
     ("nodes.csv", "id,x,y,z,mass\na,1,1,0,0\nb,-1,1,0,0\nc,-1,-1,0,0\nd,1,-1,0,0\nm,0,0,0,0.1\n"),
     (
         "moving.csv",
