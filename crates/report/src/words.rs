@@ -197,9 +197,14 @@ fn broken(summary: &Value) -> Option<String> {
 fn let_go(summary: &Value) -> Option<String> {
     let ties = breaks(summary, true);
     let (first, last) = (break_in_words(ties.first()?)?, break_in_words(ties.last()?)?);
+    let (one, several) = match ["tie", "stitch"].map(|class| ties.iter().all(|tie| tie["class"] == class)) {
+        [true, _] => ("tie", "ties"),
+        [_, true] => ("stitch", "stitches"),
+        _ => ("thread", "ties and stitches"),
+    };
     Some(match ties.len() {
-        1 => format!("One tie lets go: {first}."),
-        more => format!("{more} ties and stitches let go, the first of them {first}, the last {last}."),
+        1 => format!("One {one} lets go: {first}."),
+        more => format!("{more} {several} let go, the first of them {first}, the last {last}."),
     })
 }
 

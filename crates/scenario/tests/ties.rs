@@ -50,7 +50,8 @@ fn ties_hold_to_a_place_or_to_each_other_and_the_web_is_what_it_was() {
         assert!((tie.stiffness * 0.1 * 0.01 / 100.0 - 1.0).abs() < 1e-15);
     }
     assert_eq!((ties[4].rest_length, ties[4].stiffness, ties[4].breaking.load), (1.0, 600.0, 30.0));
-    assert_eq!(tied.segment_label(own + 4), "break tie 5");
+    assert_eq!(tied.segment_label(own), "break tie 1 at web corner 3");
+    assert_eq!(tied.segment_label(own + 4), "break tie 5 at knot 2 to knot 3");
     assert!(!tied.is_rope(own) && tied.groups[ties[0].class].class.name() == "tie");
     // neither weighed nor counted
     assert_eq!(tied.bill, plain.bill);

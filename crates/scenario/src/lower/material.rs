@@ -48,7 +48,11 @@ impl Member {
             Part::Rope(segment) => cut.segment_label(&segment),
             Part::Spoke { canopy, number } => of("spoke", number, canopy),
             Part::Side { canopy, number } => of("side", number, canopy),
-            Part::Tie { number } => format!("break tie {}", number + 1),
+            Part::Tie { number } => {
+                let [node, other] = self.segment.ends;
+                let to = if other < cut.nodes.len() { format!(" to {}", cut.node_label(other)) } else { String::new() };
+                format!("break tie {} at {}{to}", number + 1, cut.node_label(node))
+            }
             Part::Stitch { row, number } => format!("stitch {} of row {}", number + 1, row + 1),
         }
     }
