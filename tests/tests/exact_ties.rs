@@ -28,7 +28,10 @@ fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
                 load.pull = { force = [100, 0, 0], nodes = [\"mass\"], ramp = \"0.2 s\" }\n";
     let run = run("0", ties);
     let [told] = &run.summary.breaks[..] else { panic!("{:?}", run.summary.breaks) };
-    assert_eq!((&told.place[..], &told.class[..], told.released), ("break tie 1 at knot held to knot mass", "tie", true));
+    assert_eq!(
+        (&told.place[..], &told.class[..], told.released),
+        ("break tie 1 at knot held to knot mass", "tie", true)
+    );
     // a spring that is pulled at a steady rate: T = rate (t - sin(w t) / w)
     let omega = (stiffness / mass(&run)).sqrt();
     let tension = |t: f64| rate * (t - libm::sin(omega * t) / omega);

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use netcast::results::journal::read_journal;
 use netcast_fuzz::{TARGETS, Target, fields, graph_files, history, landmarks, overrides, scenario, summary, units};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -42,6 +43,14 @@ fn the_corpus_is_read_or_refused() {
         }
     }
     assert!(fallen.is_empty(), "{} fell over, see above: {fallen:#?}", fallen.len());
+}
+
+/// The seeds that are to be read are of the format of today, else nothing behind its first bytes is tried.
+#[test]
+fn the_plain_journal_of_the_corpus_is_read_whole() {
+    let (_, lost) = read_journal(&corpus("journal").join("plain")).unwrap();
+    assert_eq!(lost, 0);
+    assert!(read_journal(&corpus("journal").join("an_older_version")).is_err());
 }
 
 /// Inputs of a megabyte that no repository should keep. Each one is read by every target.

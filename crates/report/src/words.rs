@@ -139,8 +139,16 @@ fn middle_at_rest(summary: &Value) -> Option<String> {
     Some(format!("The middle lies {} m {side} its place as drawn, along the launch axis.", significant(travel.abs())))
 }
 
+/// Whether the web is open as it begins, as one is that is held or thrown as it is drawn: it does not open then.
+fn starts_open(summary: &Value) -> bool {
+    summary["opening"]["effective_from_s"] == 0.0
+}
+
 fn opening(summary: &Value) -> Option<String> {
     let opening = &summary["opening"];
+    if starts_open(summary) {
+        return None;
+    }
     let area = opening["area_max_m2"].as_f64()?;
     let share = opening["reference_area_m2"].as_f64().filter(|reference| *reference > 0.0);
     let share = share.map(|reference| format!(" ({} of the flat web)", percent(area / reference)));
@@ -154,6 +162,12 @@ fn effective_opening(summary: &Value) -> Option<String> {
     let (Some(from), Some(to)) = (opening["effective_from_s"].as_f64(), opening["effective_to_s"].as_f64()) else {
         return Some("Never reaches 80 % of the flat web.".into());
     };
+    if starts_open(summary) {
+        let end = summary["step"]["count"].as_f64()? * summary["step"]["dt_s"].as_f64()?;
+        // half a record or so: it is open to the end
+        let closes = to < 0.99 * end;
+        return closes.then(|| format!("Is open as it begins, and at least 80 % so until {}.", time(to)));
+    }
     let spell = to - from;
     let total = opening["effective_duration_s"].as_f64().unwrap_or(spell);
     // more than one spell: the longest is told, and what all of them come to
@@ -492,6 +506,34 @@ mod tests {
             "energy": {"closure": 0.0, "closure_web": null}
         });
         assert_eq!(words(&summary), ["The hardest pulled rope bears 120 N.", "The energy balance closes to 0 %."]);
+    }
+
+    #[test]
+    fn a_web_that_is_open_as_it_begins_does_not_open() {
+        let about_opening = |to: f64| {
+            let opening =
+                json!({"area_max_m2": 15.7, "reference_area_m2": 16.0, "effective_from_s": 0.0, "effective_to_s": to});
+            words(&json!({"finished": true, "opening": opening, "step": {"count": 100, "dt_s": 0.01}}))
+        };
+        assert_eq!(about_opening(1.0), [""; 0]);
+        assert_eq!(about_opening(0.4), ["Is open as it begins, and at least 80 % so until 0.400 s."]);
+    }
+
+    /// Of a summary with what was made to break, and with what was not.
+    #[test]
+    fn ties_let_go_and_ropes_break() {
+        let at = |class: &str, released: bool, time_s: f64| json!({"where": format!("{class} 1"), "class": class, "time_s": time_s, "tension_n": 50.0, "released": released});
+        let said = |breaks: Value| words(&json!({"finished": true, "breaks": breaks}));
+        assert_eq!(said(json!([at("tie", true, 0.2)])), ["One tie lets go: tie 1 at 0.200 s, under 50.0 N."]);
+        let all = said(json!([at("tie", true, 0.1), at("ring", false, 0.2), at("stitch", true, 0.3)]));
+        assert_eq!(
+            all,
+            [
+                "2 ties and stitches let go, the first of them tie 1 at 0.100 s, under 50.0 N, the last stitch 1 at 0.300 s, \
+                 under 50.0 N.",
+                "Something breaks: ring 1 at 0.200 s, under 50.0 N."
+            ]
+        );
     }
 
     #[test]

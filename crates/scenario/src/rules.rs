@@ -10,6 +10,7 @@ use crate::written::Written;
 /// Everything in `written` that does not fit the rest of it.
 pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     let mut found = Vec::new();
+    the_default_rope_has_its_name_alone(written, &mut found);
     assigned_ropes_exist(written, &mut found);
     knots_weaken_a_strength(written, &mut found);
     what_breaks_has_a_strength(written, &mut found);
@@ -40,6 +41,14 @@ pub(crate) fn unknown_rope(written: &Written, name: &str) -> Option<(String, Str
         (None, false) => format!("known ropes: {}", ropes.join(", ")),
     };
     Some((format!("unknown rope {name:?}"), help))
+}
+
+fn the_default_rope_has_its_name_alone(written: &Written, found: &mut Vec<Diagnostic>) {
+    let path = Path::parse("ropes.rope");
+    if written.tree.get(&path).is_some() {
+        let message = "`rope` is what the default rope, [rope], is called";
+        found.push(written.at_key(&path, message).with_help("choose another name"));
+    }
 }
 
 fn assigned_ropes_exist(written: &Written, found: &mut Vec<Diagnostic>) {

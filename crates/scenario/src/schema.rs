@@ -35,7 +35,7 @@ fn fit_toml(schema: &mut Schema) {
     transform_subschemas(&mut fit_toml, schema);
     let Some(object) = schema.as_object_mut() else { return };
     if object.get("format").is_some_and(|format| format == "uint32") {
-        object.insert("maximum".into(), u32::MAX.into());
+        object.entry("maximum").or_insert(u32::MAX.into());
     }
     if let Some(Value::Array(types)) = object.get_mut("type") {
         types.retain(|kind| kind != "null");

@@ -116,6 +116,7 @@ fn default_excess() -> Number<NonNegative> {
 #[schemars(extend("not" = {"required": ["side", "diameter"]}))]
 pub struct Polygon {
     /// Number of sides, 3 to 24.
+    #[schemars(range(min = 3, max = 24))]
     pub sides: NonZeroU32,
     /// Length of a side, m.
     pub side: Option<Length<Positive>>,

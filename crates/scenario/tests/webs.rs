@@ -120,7 +120,11 @@ fn coarse_segments_leave_no_web_short_of_a_knot() {
 #[test]
 fn wrong_sizes_are_told_with_their_place_and_what_was_expected() {
     let polygon = |sizes: &str| format!("[web.polygon]\n{sizes}");
-    assert_wrong(&polygon("sides = 2\nside = 1\nmesh = 0.1"), "net.toml:2:9: web.polygon.sides", "from 3 to 24, not 2");
+    assert_wrong(
+        &polygon("sides = 2\nside = 1\nmesh = 0.1"),
+        "net.toml:2:9: web.polygon.sides",
+        "at least 3 and at most 24, found the number 2",
+    );
     assert_wrong(&polygon("sides = 6\nside = 1\nmesh = 0.9"), "net.toml:4:8: web.polygon.mesh", "0.866025 m");
     assert_wrong(&polygon("sides = 6\nmesh = 0.9"), "net.toml:1:6: web.polygon", "missing key `side` or `diameter`");
     let twice = polygon("sides = 6\nside = 1\ndiameter = 2\nmesh = 0.1");

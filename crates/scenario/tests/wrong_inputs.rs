@@ -28,6 +28,22 @@ fn slip(from: &str, to: &str) -> String {
 }
 
 #[test]
+fn the_default_rope_is_the_only_one_of_its_name() {
+    let other = "[ropes.rope]\ndiameter = 0.01\ndensity = 1000\nelastic_modulus = \"1 GPa\"\n[traction_rope]";
+    let told = slip("[traction_rope]", other);
+    assert!(told.contains("ropes.rope: `rope` is what the default rope, [rope], is called"), "{told}");
+}
+
+#[test]
+fn a_wrong_number_of_sides_is_told_with_all_the_rest() {
+    let net = "web.polygon = { sides = 25, side = 1, mesh = 0.2 }\nrope = { diameter = 0.01, material = \"no such\" }\n\
+               solve.duration = 1\n";
+    let found = wrong(net, &[]);
+    assert!(found.iter().any(|told| told.contains("web.polygon.sides: expected a whole number")), "{found:#?}");
+    assert!(found.iter().any(|told| told.contains("no such")), "{found:#?}");
+}
+
+#[test]
 fn a_wrong_dimension_names_what_it_is() {
     assert_eq!(
         slip("side = \"2.5 m\"", "side = \"2.5 kg\""),

@@ -1,6 +1,6 @@
 //! Whether a web can be made: all that is wrong with it, at once.
 
-use crate::{Web, WebError};
+use crate::{Pieces, Web, WebError};
 
 impl Web {
     /// Everything that is wrong with the web: no knots or ropes, coordinates that are no numbers, ropes without a
@@ -54,30 +54,5 @@ impl Web {
         let count = (0..self.knots.len()).filter(|&knot| pieces.root(knot) == knot).count();
         let label = |knot: usize| self.knots[knot].label.clone();
         Some(WebError::Disconnected { a: label(0), b: label(stranger), pieces: count })
-    }
-}
-
-/// Disjoint sets of knots.
-struct Pieces {
-    parent: Vec<usize>,
-}
-
-impl Pieces {
-    fn new(count: usize) -> Pieces {
-        Pieces { parent: (0..count).collect() }
-    }
-
-    fn root(&mut self, mut knot: usize) -> usize {
-        while self.parent[knot] != knot {
-            // halve the path on the way up
-            self.parent[knot] = self.parent[self.parent[knot]];
-            knot = self.parent[knot];
-        }
-        knot
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b)] = a.min(b);
     }
 }

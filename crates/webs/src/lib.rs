@@ -35,6 +35,7 @@ mod gathering;
 mod graph;
 mod lattice;
 pub mod packing;
+mod pieces;
 mod plates;
 mod polygon;
 mod radial;
@@ -62,6 +63,7 @@ pub use packing::{
     Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, Led, LongestStretch, Mouth,
     PackingError, Pattern, Prescribed, Scale, Sector, Settled, Size, StiffPlate, StowedSegment, audit, closeness,
 };
+pub use pieces::Pieces;
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
 pub use sheet::{MOST_FINENESS, Sheet, hexagonal_sheet};

@@ -4,7 +4,7 @@
 //! the name that messages use (`radial link 24-29, rope 1`; `radial link 24-29` is both its ropes). The narrower
 //! prevails; a row of a graph's file that names its rope prevails over all. `netcast check --links` lists the names.
 
-use netcast_webs::{Class, Rope as Link, Web};
+use netcast_webs::{Class, Pieces, Rope as Link, Web};
 
 use crate::csv_files::RopeRow;
 use crate::diagnostic::Diagnostics;
@@ -94,16 +94,12 @@ fn unknown_names(
 /// The number of each link's ring, from 1 in the middle: a ring is what links of class `ring` join, a canopy or a
 /// hexagon of rope counting as one knot. None for links of other classes.
 pub fn rings(web: &Web) -> Vec<Option<usize>> {
-    let mut parent: Vec<usize> = (0..web.knots.len()).collect();
-    let mut join = |a: usize, b: usize| {
-        let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-        parent[a.max(b)] = a.min(b);
-    };
+    let mut pieces = Pieces::new(web.knots.len());
     for link in web.ropes.iter().filter(|link| matches!(link.class, Class::Ring | Class::Hexagon)) {
-        join(link.a, link.b);
+        pieces.join(link.a, link.b);
     }
     for canopy in &web.canopies {
-        canopy.rim.iter().for_each(|&knot| join(canopy.hub, knot));
+        canopy.rim.iter().for_each(|&knot| pieces.join(canopy.hub, knot));
     }
     // by the distance of their nearest knot; what is equally far is in the order of the web
     let distance = |link: &Link| {
@@ -115,7 +111,7 @@ pub fn rings(web: &Web) -> Vec<Option<usize>> {
         .ropes
         .iter()
         .map(|link| {
-            let ring = (link.class == Class::Ring).then(|| root(&mut parent, link.a))?;
+            let ring = (link.class == Class::Ring).then(|| pieces.root(link.a))?;
             match nearest_of.iter_mut().find(|(known, _)| *known == ring) {
                 Some((_, nearest)) => *nearest = nearest.min(distance(link)),
                 None => nearest_of.push((ring, distance(link))),
@@ -126,13 +122,4 @@ pub fn rings(web: &Web) -> Vec<Option<usize>> {
     nearest_of.sort_by(|(_, one), (_, other)| one.total_cmp(other));
     let number = |ring: usize| nearest_of.iter().position(|(known, _)| *known == ring).map(|place| place + 1);
     ring_of.into_iter().map(|ring| ring.and_then(number)).collect()
-}
-
-/// The knot that stands for all that are joined to this one.
-fn root(parent: &mut [usize], mut knot: usize) -> usize {
-    while parent[knot] != knot {
-        parent[knot] = parent[parent[knot]];
-        knot = parent[knot];
-    }
-    knot
 }
