@@ -170,6 +170,24 @@ fn every_canopy_goes_into_every_fold_and_container_and_stiff_ones_keep_their_sha
 }
 
 #[test]
+fn every_canopy_is_led_into_a_container_and_stiff_ones_keep_their_shape() {
+    for kind in KINDS {
+        for imperfection in ["", "[stow.imperfection]\nscatter = \"5 mm\"\ntwist = \"10 deg\"\nseed = 3\n"] {
+            let stow = format!("{kind}{PAYLOAD}[stow.prescribed]\nradius = 0.5\ndepth = 0.5\n{imperfection}");
+            let model = model(&stow);
+            assert_well_packed(&model, &stow);
+            // what is stiff at the ring sticks out of it
+            assert!(model.audit.packed_radius < 0.5 + SIDE + 0.02, "{stow}: {}", model.audit.packed_radius);
+            let keeps_its_shape = !kind.contains("links");
+            for canopy in model.cut.web.canopies.iter().filter(|_| keeps_its_shape) {
+                let reach = model.state.position[canopy.rim[2]].distance(model.state.position[canopy.hub]);
+                assert!((reach - SIDE).abs() < 1e-12, "{stow}");
+            }
+        }
+    }
+}
+
+#[test]
 fn stiff_canopies_are_packed_flat_and_cloth_with_its_ropes_and_nothing_is_stretched() {
     for kind in KINDS {
         let bag = "stow.bag = { radius = \"0.24 m\", depth = \"0.38 m\" }\n";

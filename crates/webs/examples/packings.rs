@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::{env, fs};
 
 use glam::{DVec2, DVec3, dvec2};
-use netcast_webs::{Bag, Class, Container, CutWeb, Cutting, Folded, Folding, Mouth, Pattern, cut, polygon};
+use netcast_webs::{Bag, Class, Container, CutWeb, Cutting, Folded, Folding, Mouth, Pattern, Prescribed, cut, polygon};
 
 /// Width of one view, height of a picture and margin, px.
 const SIZE: [f64; 2] = [300.0, 330.0];
@@ -31,10 +31,32 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("roll", folded(Folding::Roll)),
         ("layers", folded(Folding::Layers)),
     ];
+    let mut packed = Vec::new();
     for (name, pattern) in patterns {
-        fs::write(folder.join(format!("packing-{name}.svg")), picture(name, &net, &pattern.pack(&net)?)?)?;
+        packed.push((name, pattern.pack(&net)?));
+    }
+    packed.push(("prescribed", prescribed(&net, mouth).pack(&net, None)?.0));
+    for (name, packed) in packed {
+        fs::write(folder.join(format!("packing-{name}.svg")), picture(name, &net, &packed)?)?;
     }
     Ok(())
+}
+
+/// The outline drawn in to a ring, as `[stow.prescribed]` does it by default.
+fn prescribed(net: &CutWeb, mouth: Mouth) -> Prescribed {
+    Prescribed {
+        radius: 0.3,
+        depth: Some(0.6),
+        paths: Vec::new(),
+        time: 1.0,
+        gravity: 9.80665,
+        damping: 5.0,
+        rest: 1e-4,
+        longest: 20.0,
+        mass: vec![1.0; net.nodes.len()],
+        plates: Vec::new(),
+        mouth,
+    }
 }
 
 /// Two views to one scale: from the side with the launch axis up, and from ahead.

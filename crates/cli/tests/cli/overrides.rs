@@ -41,7 +41,7 @@ fn wrong_overrides_are_shown_as_they_were_given_and_nothing_is_written() {
         ("launch.axial_speed=60 m/z", "unknown unit \"z\""),
         ("launch.axial_speed", "expected path=value"),
         ("stow.bag.radius=0.2 m", "found `scale` and `bag`"),
-        ("stow={prescribed={}}", "not available in this version yet"),
+        ("contact={}", "not available in this version yet"),
         ("web.sqare.side=2", "did you mean `square`?"),
         ("solve.on_energy_error=flga", "did you mean \"flag\"?"),
         ("tractors.0.corner=1.5", "corner"),
