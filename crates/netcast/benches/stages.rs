@@ -38,7 +38,7 @@ fn steps<const MESH: usize>(bencher: Bencher, threads: usize) {
 
 /// What the law of the ropes costs: a hundred steps of the square net of 3968 segments, on one thread. `breaking`: by the
 /// linear law, with a strength that is never reached.
-#[divan::bench(args = ["linear", "breaking", "bilinear", "table", "hysteresis", "viscoelastic"])]
+#[divan::bench(args = ["linear", "breaking", "strut", "bilinear", "table", "hysteresis", "viscoelastic"])]
 fn laws(bencher: Bencher, law: &str) {
     let folder = tempfile::tempdir().unwrap();
     let table = |name: &str, text: &str| {
@@ -49,6 +49,7 @@ fn laws(bencher: Bencher, law: &str) {
     let chosen = match law {
         "linear" => "rope.law={linear={}}".to_owned(),
         "breaking" => "rope.breaking={load=1e9,strain=10}".to_owned(),
+        "strut" => "rope.law={strut={}}".to_owned(),
         "bilinear" => "rope.law={bilinear={strain=0.001,second_modulus=50e9}}".to_owned(),
         "table" => table("table.csv", "strain,tension\n0,0\n0.001,200\n0.01,3000\n0.1,20000\n"),
         "hysteresis" => {
@@ -57,10 +58,41 @@ fn laws(bencher: Bencher, law: &str) {
         "viscoelastic" => "rope.law={viscoelastic={instantaneous_modulus=90e9,relaxation_time=0.01}}".to_owned(),
         other => panic!("{other}"),
     };
-    let net = net_with(31, &[chosen]).unwrap();
+    steps_with(bencher, 20_000, &[chosen]);
+}
+
+/// What surrounds the same net, or is attached to it, and what that costs. `held`: while a cover holds the whole web.
+#[divan::bench(args = [
+    "nothing", "drag", "drag, coefficient given", "drag, wind by height", "added mass", "ground", "orbit", "bending",
+    "rigid tractors", "held",
+])]
+fn effects(bencher: Bencher, effect: &str) {
+    let overrides: &[&str] = match effect {
+        "nothing" => &[],
+        "drag" => &["environment.air={}"],
+        "drag, coefficient given" => &["environment.air.normal_coefficient=1.1"],
+        "drag, wind by height" => &[
+            "environment.air={}",
+            "environment.wind={speed=5,power={},muzzle_height=1,gust={speed=3,at=0,duration=9}}",
+        ],
+        "added mass" => &["environment.air={density=1000,viscosity=1e-3,added_mass=1,buoyancy=false}"],
+        "ground" => &["environment.ground.height=-20"],
+        "orbit" => &["environment={damping=0.1,orbit={altitude=600e3}}"],
+        "bending" => &["rope.bending_stiffness=1e-3"],
+        "rigid tractors" => &["tractor={cylinder={}}", "traction_rope={length=1,tied_at=\"rear\"}"],
+        "held" => &["covers=[{opens=10}]"],
+        other => panic!("{other}"),
+    };
+    let overrides: Vec<String> = overrides.iter().map(|one| one.to_string()).collect();
+    steps_with(bencher, 5_000, &overrides);
+}
+
+/// A hundred steps of the square net of 3968 segments with overrides, on one thread, after so many that ropes are taut
+/// here and slack there.
+fn steps_with(bencher: Bencher, before: usize, overrides: &[String]) {
+    let net = net_with(31, overrides).unwrap();
     let mut stepper = Stepper::new(&net.system, &net.state, net.largest_dt(), 1);
-    // until ropes are taut here and slack there
-    (0..20_000).for_each(|_| {
+    (0..before).for_each(|_| {
         stepper.step();
     });
     let bencher = bencher.counter(ItemsCount::new(STEPS * net.system.segments().len()));
