@@ -35,8 +35,8 @@ pub fn force_is_the_gradient<const N: usize>(
                 y[i][axis] += by;
                 element.elastic_energy(y)
             };
-            let slopes = [h, 0.01 * h]
-                .map(|h| (8.0 * (moved(h) - moved(-h)) - (moved(2.0 * h) - moved(-2.0 * h))) / (12.0 * h));
+            let slopes =
+                [h, 0.01 * h].map(|h| (8.0 * (moved(h) - moved(-h)) - (moved(2.0 * h) - moved(-2.0 * h))) / (12.0 * h));
             let miss = slopes.map(|slope| (force[i][axis] + slope).abs() / scale);
             let best = miss[0].min(miss[1]);
             assert!(best < tolerance, "node {i}, axis {axis}: {} N, gradients {slopes:?} N", force[i][axis]);

@@ -171,8 +171,10 @@ fn drawn_solidity(made: &Made) -> Option<f64> {
     let area = made.cut.web.reference_area().filter(|area| *area > 0.0)?;
     let projected = made.members.iter().filter_map(|Member { segment, .. }| {
         let group = &made.groups[segment.class];
+        // what is no rope may end at a node that the drawing does not have
+        let diameter = group.diameter?;
         let [a, b] = segment.ends.map(|end| made.cut.nodes[end]);
-        (group.class != Class::Traction).then_some(a.distance(b) * group.diameter?)
+        (group.class != Class::Traction).then(|| a.distance(b) * diameter)
     });
     Some(projected.sum::<f64>() / area)
 }
