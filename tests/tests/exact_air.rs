@@ -248,11 +248,10 @@ fn a_net_panel_drags_as_published() {
     let powers = [-78.46675, 254.73873, -327.8864, 223.64577, -87.92234, 20.00769, -2.44894, 0.12479];
     let cylinder = powers.iter().rev().fold(0.0, |sum, c| sum * libm::log10(reynolds) + c);
     let kristiansen_faltinsen = cylinder * s * (2.0 - s) / (2.0 * (1.0 - s) * (1.0 - s));
-    let by_default = panel("");
-    let as_theirs = panel(&format!("normal_coefficient = {cylinder}\n"));
-    println!(
-        "{by_default:.4}, with their cylinder's {cylinder:.3} {as_theirs:.4}; {loland:.4}, {kristiansen_faltinsen:.4}"
-    );
-    assert_close("Kristiansen & Faltinsen", as_theirs, kristiansen_faltinsen, 2e-3);
-    assert_close("Loland", as_theirs, loland, 0.12);
+    let aarsnes = 0.04 + (-0.04 + s - 1.24 * s * s + 13.7 * s * s * s);
+    let found = panel("");
+    println!("{found:.4}; {aarsnes:.4}, {loland:.4}, {kristiansen_faltinsen:.4}");
+    // it sets off at the end of the run, hence not all of the stream is left
+    assert_close("Kristiansen & Faltinsen", found, kristiansen_faltinsen, 0.01);
+    assert!(found > aarsnes && found < loland, "{found} between {aarsnes} and {loland}");
 }

@@ -85,7 +85,7 @@ pub struct Relaxing {
     pub residual: Residual,
 }
 
-/// A part of the net that bears a load and is held nowhere.
+/// A part of the net that bears a load and that neither what is held nor the ground holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unsupported {
     /// A node of it.
@@ -301,7 +301,8 @@ fn arm_squared(body: &Body) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// The first part of the net that bears a load and is held nowhere, if there is one; see [`relax`].
+/// The first part of the net that bears a load and is held nowhere, if there is one; see [`relax`]. What the ground can
+/// touch it bears, but for what pulls along it.
 pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     let nodes = system.mass().len();
     let mut parts = Parts((0..nodes).collect());
@@ -323,6 +324,14 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     let mut sums = vec![DVec3::ZERO; nodes];
     for load in &loads {
         sums[parts.of(load.node)] += load.force;
+    }
+    // what the ground can bear, it bears
+    if let Some(ground) = &system.environment().ground {
+        let hulls = ground.hulls.iter().map(|hull| system.bodies()[hull.body].centre);
+        for node in ground.nodes.iter().map(|at| at.node).chain(hulls) {
+            let sum = &mut sums[parts.of(node)];
+            sum.z = sum.z.max(0.0);
+        }
     }
     // loads in balance among themselves sum to zero within rounding
     let rounding = 1e-12 * loads.iter().map(|load| load.force.length()).sum::<f64>();

@@ -113,7 +113,7 @@ pub struct SystemParts {
     pub drives: Vec<Drive>,
     /// What holds nodes and throws them.
     pub launchers: Vec<Launcher>,
-    /// Gravity and damping.
+    /// What surrounds it.
     pub environment: Environment,
 }
 
@@ -183,7 +183,7 @@ pub enum SystemError {
         /// What is wrong with it.
         why: &'static str,
     },
-    /// Gravity or damping is out of range.
+    /// Something that surrounds the net is out of range.
     #[error("the environment's {what} is {value}")]
     Environment {
         /// Which property.
@@ -265,7 +265,11 @@ impl SystemParts {
         }
         let is_unit = |way: DVec3| (way.length_squared() - 1.0).abs() < 1e-9;
         if let Some(Orbit { mean_motion, radial, along }) = orbit
-            && !(mean_motion >= 0.0 && mean_motion.is_finite() && is_unit(radial) && is_unit(along))
+            && !(mean_motion >= 0.0
+                && mean_motion.is_finite()
+                && is_unit(radial)
+                && is_unit(along)
+                && radial.dot(along).abs() < 1e-9)
         {
             return Err(SystemError::Environment { what: "mean motion, 1/s, or one of its axes", value: mean_motion });
         }
@@ -322,7 +326,7 @@ impl SystemParts {
             let normal = rope.normal.unwrap_or_default();
             [("diameter of a rope that drags, m", rope.diameter), ("normal coefficient", normal)]
                 .into_iter()
-                .chain([("tangential coefficient", rope.tangential), ("screen factor", rope.screen)])
+                .chain([("tangential coefficient", rope.tangential), ("solidity", rope.solidity)])
         });
         let of_sheets = air
             .sheets
@@ -347,7 +351,7 @@ impl SystemParts {
             }
         }
         for (index, hull) in ground.hulls.iter().enumerate() {
-            if hull.body >= self.bodies.len() || !hull.arm.is_finite() {
+            if hull.body >= self.bodies.len() || !(hull.arm.is_finite() && hull.radius.is_finite()) {
                 return wrong("contact of the ground", index, hull.body, "is no body");
             }
         }
@@ -500,7 +504,7 @@ impl System {
         &self.launchers
     }
 
-    /// Gravity and damping.
+    /// What surrounds it.
     pub fn environment(&self) -> &Environment {
         &self.environment
     }

@@ -12,12 +12,12 @@ use netcast_dynamics::forces::sheet_drag::SheetDrag;
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
 use netcast_dynamics::statics::{Accuracy, relax};
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::step_limit;
+use netcast_dynamics::time::step_size::{Stiff, step_limit};
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
 const GRAVITY: f64 = 9.80665;
-const ROPE: RopeDrag = RopeDrag { diameter: 0.01, normal: Some(1.1), tangential: 0.0, screen: 1.0 };
+const ROPE: RopeDrag = RopeDrag { diameter: 0.01, normal: Some(1.1), tangential: 0.0, solidity: 0.0 };
 
 fn still(ropes: Vec<Option<RopeDrag>>) -> Air {
     Air { ropes, fastest: 100.0, ..Air::new(Medium::uniform(1.225, 1.7894e-5), Wind::none()) }
@@ -164,6 +164,30 @@ fn a_ball_on_a_line_rests_in_a_wind_where_drag_and_weight_balance() {
     assert!((at.y / -at.z / expected - 1.0).abs() < 1e-4 && at.x.abs() < 1e-9, "{at}, {expected}");
 }
 
+#[test]
+fn a_loose_sheet_in_water_is_bounded_by_drag_alone_and_so_is_a_plate() {
+    let mut air = still(Vec::new());
+    air.medium = Medium::uniform(1000.0, 1e-3);
+    air.sheets = vec![SheetDrag { nodes: [0, 1, 2], coefficient: 1.17, area: 0.5 }];
+    let bound = |as_plate: bool| {
+        let mut net = Net::default();
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| net.node(corner, DVec3::ZERO));
+        corners.iter().for_each(|&corner| net.parts.mass[corner] = 0.1);
+        if as_plate {
+            let at = DVec3::new(1.0, 1.0, 0.0) / 3.0;
+            net.body(at, DVec3::ZERO, 0.3, DVec3::splat(0.01), (DQuat::IDENTITY, DVec3::ZERO), &corners);
+        }
+        net.parts.environment = Environment { air: Some(air.clone()), ..Environment::default() };
+        let limit = step_limit(&net.build());
+        assert_eq!(limit.stiffest, Some(Stiff::Air));
+        limit.dt
+    };
+    // a third of rho C A u on each corner, and C dt / m at most 1 for what is between a node and the world
+    let slope = 1000.0 * 1.17 * 0.5 * 100.0;
+    assert!((bound(false) / (0.1 / (slope / 3.0)) - 1.0).abs() < 1e-9, "{}", bound(false));
+    assert!(bound(true) < 0.3 / slope, "{}", bound(true));
+}
+
 /// The bound holds: at it nothing grows that drags in a medium as thick as it may be.
 #[test]
 fn the_step_is_bounded_by_drag_where_it_is_the_stiffest_there_is() {
@@ -185,6 +209,17 @@ fn the_step_is_bounded_by_drag_where_it_is_the_stiffest_there_is() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_net_that_tears_in_a_storm_closes_too(mut net in nets::any_net_of_any_law(0.2)) {
+        if net.parts.mass.len() > 3 {
+            nets::in_a_storm(&mut net);
+            let system = net.build();
+            let schedule = Schedule::new(0.03, 0.01, 0.02 * step_limit(&system).dt);
+            let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
+            prop_assert!(outcome.balance.closure() < 5e-4, "{}, {} breaks", outcome.balance.closure(), outcome.breaks.len());
+        }
+    }
 
     #[test]
     fn any_net_in_a_storm_closes_its_energy_better_with_a_smaller_step(mut net in nets::any_net(0.2)) {

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use netcast_dynamics::forces::ground::{Footing, Ground, Hull, Spring};
 use netcast_dynamics::forces::orbit::Orbit;
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
-use netcast_dynamics::statics::{Accuracy, relax};
+use netcast_dynamics::statics::{Accuracy, relax, unsupported};
 use netcast_dynamics::system::Environment;
 use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
@@ -48,7 +48,7 @@ fn a_ball_that_is_dropped_rises_to_the_square_of_its_restitution() {
         let rebound = film.frames[landed..].iter().map(|frame| frame.1[ball].z).fold(0.0, f64::max);
         let expected = 2.0 * restitution * restitution;
         assert!((rebound / expected - 1.0).abs() < 0.01, "{restitution}: {rebound} for {expected} m");
-        assert!(outcome.balance.closure() < 3e-4, "{restitution}: {}", outcome.balance.closure());
+        assert!(outcome.balance.closure() < 4e-4, "{restitution}: {}", outcome.balance.closure());
     }
 }
 
@@ -78,13 +78,72 @@ fn a_box_dropped_on_an_edge_comes_to_lie_on_its_side() {
     ground.nodes.clear();
     let corners =
         [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| [-1.0, 1.0].map(|z| DVec3::new(0.15 * x, 0.1 * y, 0.05 * z))));
-    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 1.0, arm, |mass| Spring::bouncing(mass, 1e-3, 0.2));
+    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 1.0, (arm, 0.0), |mass| Spring::bouncing(mass, 1e-3, 0.2));
     ground.hulls = corners.into_iter().flatten().flatten().map(hull).collect();
     net.parts.environment = lying(ground);
     let (outcome, film) = run(&net, 2.0, 0.1);
     let (_, place, velocity) = film.frames.last().unwrap();
     assert!((place[body].z - 0.05).abs() < 1e-4 && velocity[body].length() < 1e-3, "{place:?}, {velocity:?}");
     assert!(outcome.balance.closure() < 1e-3, "{}", outcome.balance.closure());
+}
+
+#[test]
+fn an_impact_in_few_steps_leaves_no_hole_in_the_balance() {
+    // 0.1 of a radian a step; after several bounces from heights that the step knows nothing of
+    for height in [0.5, 0.511, 0.523, 0.537] {
+        let mut net = Net::default();
+        let ball = net.node(height * DVec3::Z, DVec3::ZERO);
+        net.parts.mass[ball] = 0.3;
+        net.parts.environment = lying(under(&net, 0.5, 1.0));
+        let outcome = run(&net, 1.2, 0.05).0;
+        let missing = (outcome.ledger.sum() - outcome.balance.initial()) / outcome.balance.initial();
+        assert!(missing.abs() < 1e-4, "{height} m: {missing}");
+    }
+}
+
+#[test]
+fn a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed() {
+    let mut net = Net::default();
+    let (mass, radius, speed) = (0.5, 0.05, 2.0);
+    let inertia = DVec3::splat(0.4 * mass * radius * radius);
+    let ball = net.body(radius * DVec3::Z, speed * DVec3::X, mass, inertia, (DQuat::IDENTITY, DVec3::ZERO), &[]);
+    let mut ground = under(&net, 0.3, 0.2);
+    ground.nodes.clear();
+    let spring = |mass: f64| Spring::bouncing(mass, 1e-3, 0.2);
+    ground.hulls = vec![Hull::new(0, &net.parts.bodies[0], mass, (DVec3::ZERO, radius), spring)];
+    net.parts.environment = lying(ground);
+    let (outcome, film) = run(&net, 0.6, 0.05);
+    // it slides for 2 v / (7 mu g) = 0.19 s
+    let rolls = film.frames.last().unwrap().2[ball].x;
+    assert!((rolls / (5.0 / 7.0 * speed) - 1.0).abs() < 2e-3, "{rolls}");
+    let lost = outcome.ledger.ground_friction / (0.5 * mass * speed * speed);
+    assert!((lost / (2.0 / 7.0) - 1.0).abs() < 1e-2, "{lost}");
+    assert!(outcome.balance.closure() < 1e-4, "{}", outcome.balance.closure());
+}
+
+#[test]
+fn a_heavy_box_and_its_rope_come_to_rest_on_the_ground_with_nothing_held() {
+    let soft = Material { axial_stiffness: 1e3, mass_per_length: 0.1, damping_ratio: 0.05 };
+    let mut net = Net::rope(1.0, 4, soft);
+    let corner = net.state.position[4];
+    let inertia = DVec3::splat(50.0 * 0.04 / 6.0);
+    net.state.position[4] = corner + 0.3 * DVec3::Z;
+    let at = corner + DVec3::new(0.1, 0.0, 0.3);
+    let body = net.body(at, DVec3::ZERO, 50.0, inertia, (DQuat::IDENTITY, DVec3::ZERO), &[4]);
+    net.state.position.iter_mut().for_each(|x| x.z += 0.02);
+    let mut ground = under(&net, 0.5, 0.2);
+    ground.nodes.retain(|at| at.node != body);
+    let corners = [-0.1, 0.1].map(|x| [-0.1, 0.1].map(|y| [-0.1, 0.1].map(|z| DVec3::new(x, y, z))));
+    let spring = |mass: f64| Spring::bouncing(mass, 1e-3, 0.2);
+    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 50.0, (arm, 0.0), spring);
+    ground.hulls = corners.into_iter().flatten().flatten().map(hull).collect();
+    net.parts.environment = lying(ground);
+    let system = net.build();
+    assert_eq!(unsupported(&system, &net.state), None);
+    let accuracy = Accuracy { tolerance: 1e-5, max_iterations: 1_000_000 };
+    let found = relax(&system, &net.state, &accuracy, 1, &mut |_| true);
+    assert_eq!(found.stopped, None);
+    assert!((found.state.position[body].z - 0.1).abs() < 1e-3, "{}", found.state.position[body]);
 }
 
 #[test]
@@ -141,6 +200,6 @@ proptest! {
             simulate(&system, &net.state, &schedule, 1, &mut Film::default()).balance.closure()
         };
         let (coarse, fine) = (closure(0.2), closure(0.02));
-        prop_assert!(fine < 1e-3 && fine < (0.5 * coarse).max(1e-4), "{} and {}", coarse, fine);
+        prop_assert!(fine < 3e-4 && fine < (0.3 * coarse).max(2e-5), "{} and {}", coarse, fine);
     }
 }

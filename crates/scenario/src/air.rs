@@ -36,7 +36,8 @@ pub struct Air {
     pub buoyancy: Option<bool>,
     /// How close the web's ropes stand: their projected area over that of the web, 0 to 0.7, or "web", for that of the
     /// web's own ropes within its outline as drawn. The ropes of a close net drag more than each alone, for the flow is
-    /// faster between them (Kristiansen & Faltinsen 2012). Left out: each rope drags as if alone.
+    /// faster between them; where no `normal_coefficient` is given, theirs is then that of smooth twine (Kristiansen &
+    /// Faltinsen 2012). Left out: each rope drags as if alone.
     pub solidity: Option<Solidity>,
 }
 

@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use netcast_dynamics::air::Attitude;
 use netcast_dynamics::forces::body_drag::Shape;
-use netcast_dynamics::forces::rope_drag::screen_factor;
 use netcast_scenario::diagnostic::Source;
 use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostics, Document, resolved_toml};
@@ -50,7 +49,7 @@ fn alone_it_is_the_standard_atmosphere_at_sea_level_and_every_rope_drags_as_if_a
     assert!((air.medium.density(0.0) - 1.225).abs() < 1e-12 && (air.medium.viscosity() / 1.7894e-5 - 1.0).abs() < 1e-4);
     assert_eq!((air.wind.at(50.0, 1.0), air.added_mass, net.system.loads().len()), (DVec3::ZERO, 0.0, 0));
     let rope = air.ropes[0].unwrap();
-    assert_eq!((rope.diameter, rope.normal, rope.tangential, rope.screen), (4e-3, None, 0.02, 1.0));
+    assert_eq!((rope.diameter, rope.normal, rope.tangential, rope.solidity), (4e-3, None, 0.02, 0.0));
     let resolved = resolved_toml(&net.scenario);
     for line in ["altitude = \"0 m\"", "tangential_coefficient = 0.02", "sheet_coefficient = 1.17", "buoyancy = false"]
     {
@@ -69,8 +68,8 @@ fn a_screen_is_what_the_web_s_own_ropes_take_of_its_area_and_traction_is_no_part
     let outline = net.air.as_ref().unwrap();
     assert!((outline.solidity.unwrap() - solidity).abs() < 1e-12, "{outline:?}");
     for (group, drag) in net.groups.iter().zip(&net.system.environment().air.as_ref().unwrap().ropes) {
-        let expected = if group.class.name() == "traction" { 1.0 } else { screen_factor(solidity) };
-        assert!((drag.unwrap().screen - expected).abs() < 1e-12, "{}", group.class.name());
+        let expected = if group.class.name() == "traction" { 0.0 } else { solidity };
+        assert!((drag.unwrap().solidity - expected).abs() < 1e-12, "{}", group.class.name());
     }
     let given = model(NET, &format!("{more} = 0.3"));
     assert_eq!(given.air.unwrap().solidity, Some(0.3));

@@ -82,7 +82,7 @@ impl Air {
         }
     }
 
-    /// Nothing that drags, in a medium that moves.
+    /// Nothing that drags as yet, in a medium that moves.
     pub fn new(medium: Medium, wind: Wind) -> Air {
         Air { medium, wind, ropes: Vec::new(), sheets: Vec::new(), bodies: Vec::new(), added_mass: 0.0, fastest: 0.0 }
     }

@@ -8,7 +8,7 @@
 //! it takes along, C_a = 1 for a circle (Lamb, Hydrodynamics, 1932, art. 68). It is the founding paper's eqs. (13) to
 //! (16) with their matrices in the right order, node by node; docs/theory/air.md. Beside the other forces F it acts as
 //! one more, f = m a - F, whose work is told: so M may turn with the rope. The medium itself is taken not to
-//! accelerate. In air it is 0.07 % of a rope's mass, in water half of it and more.
+//! accelerate, and what a rigid body's ties or a tube's push would have to do with it is left out. In air it is 0.07 % of a rope's mass, in water half of it and more.
 
 use glam::{DMat3, DVec3};
 

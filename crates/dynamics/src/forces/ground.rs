@@ -59,6 +59,8 @@ pub struct Hull {
     pub body: usize,
     /// From its centre, along its principal axes, m.
     pub arm: DVec3,
+    /// How far it reaches below that point, however the body is turned, m: of a sphere about it.
+    pub radius: f64,
     /// How the ground answers it.
     pub spring: Spring,
 }
@@ -106,10 +108,9 @@ fn damping_ratio(asked: f64) -> f64 {
 impl Ground {
     /// What it does to a point at `x`, m, that moves at `v`, m/s, in steps of `dt`, s: its spring's force, N, and the rest.
     pub fn push(&self, spring: &Spring, x: DVec3, v: DVec3, dt: f64) -> Stress<1> {
-        let nothing = Stress { elastic: [DVec3::ZERO], friction: [DVec3::ZERO] };
         let depth = self.height - x.z;
         if depth <= 0.0 {
-            return nothing;
+            return Stress::NONE;
         }
         let elastic = spring.stiffness * ramp(depth, (v.z * dt).abs());
         let normal = (elastic - spring.damping * v.z).max(0.0);
@@ -117,9 +118,7 @@ impl Ground {
         let speed = sliding.length();
         let rubbing = (self.friction * normal).min(0.5 * spring.mass * speed / dt);
         let along = if speed > 0.0 { sliding * (rubbing / speed) } else { DVec3::ZERO };
-        // what the bounds take from the spring is friction too
-        let stored = spring.stiffness * depth;
-        Stress { elastic: [DVec3::Z * stored], friction: [DVec3::Z * (normal - stored) - along] }
+        Stress { elastic: [DVec3::Z * elastic], friction: [DVec3::Z * (normal - elastic) - along] }
     }
 
     /// What it has stored where nodes and bodies are, J.
@@ -131,7 +130,7 @@ impl Ground {
         let nodes = self.nodes.iter().map(|at| stored(&at.spring, at.lowest(state.position[at.node])));
         let hulls = self.hulls.iter().map(|hull| {
             let centre = state.position[system.bodies()[hull.body].centre];
-            stored(&hull.spring, centre + state.rotation[hull.body].orientation * hull.arm)
+            stored(&hull.spring, centre + hull.offset(&state.rotation[hull.body]))
         });
         nodes.sum::<f64>() + hulls.sum::<f64>()
     }
@@ -145,16 +144,33 @@ impl Footing {
 }
 
 impl Hull {
-    /// A point of `body`, which has `mass`, kg: the mass that the ground meets there is that of centre and turning
+    /// A point of `body`, or of a sphere about it, which has `mass`, kg: the mass that the ground meets there is that of centre and turning
     /// together, m / (1 + r^2/g^2), g the least radius of gyration.
-    pub fn new(index: usize, body: &Body, mass: f64, arm: DVec3, spring: impl Fn(f64) -> Spring) -> Hull {
+    pub fn new(
+        index: usize,
+        body: &Body,
+        mass: f64,
+        (arm, radius): (DVec3, f64),
+        spring: impl Fn(f64) -> Spring,
+    ) -> Hull {
         let gyration_squared = body.inertia.min_element() / mass;
-        Hull { body: index, arm, spring: spring(mass / (1.0 + arm.length_squared() / gyration_squared)) }
+        let reach = arm.length() + radius;
+        Hull { body: index, arm, radius, spring: spring(mass / (1.0 + reach * reach / gyration_squared)) }
+    }
+
+    /// How far from the body's centre it touches at most, m.
+    pub(crate) fn reach(&self) -> f64 {
+        self.arm.length() + self.radius
+    }
+
+    /// Where it touches, from the body's centre, m.
+    pub fn offset(&self, rotation: &Rotation) -> DVec3 {
+        rotation.orientation * self.arm - self.radius * DVec3::Z
     }
 
     /// Where it is, m, and how it moves, m/s, on a body whose centre is at `x` and moves at `v`.
     pub(crate) fn moving(&self, body: &Body, rotation: &Rotation, x: DVec3, v: DVec3) -> (DVec3, DVec3) {
-        let arm = rotation.orientation * self.arm;
+        let arm = self.offset(rotation);
         (x + arm, v + body.angular_velocity(rotation).cross(arm))
     }
 }

@@ -1,12 +1,11 @@
 //! What air does beside the drag of ropes: to sheets, to bodies, and by its own inertia.
 
-use std::collections::BTreeSet;
-
 use glam::{DQuat, DVec3};
 
 use super::attached::Moving;
 use super::elements::Elements;
 use super::step::Team;
+use super::traced::Traced;
 use crate::air::{Air, Attitude};
 use crate::forces::added_mass::{self, Arm};
 use crate::forces::element::Stress;
@@ -15,16 +14,17 @@ use crate::system::System;
 
 /// Sheets and bodies that drag, and ropes that take the medium along.
 pub(super) struct Airborne<'a> {
+    system: &'a System,
     air: &'a Air,
     sheets: Elements<3>,
-    /// Drag of each body, N, and where it was, m, at the last forces.
-    bodies: Vec<(DVec3, DVec3)>,
+    /// The drag of each body.
+    bodies: Vec<Traced>,
     /// Segments at each node, (nodes,); empty where nothing is taken along.
     arms: Vec<Vec<Arm>>,
     /// The segments that break at the last forces.
     leaving: Vec<usize>,
-    /// Force of the medium's inertia on each node, N, and where it was, m, at the last forces, (nodes,).
-    inertia: Vec<(DVec3, DVec3)>,
+    /// The force of the medium's inertia on each node, (nodes,).
+    inertia: Vec<Traced>,
 }
 
 impl<'a> Airborne<'a> {
@@ -33,10 +33,11 @@ impl<'a> Airborne<'a> {
         let air = system.environment().air.as_ref()?;
         let arms = if air.added_mass > 0.0 { added_mass::arms(system, air) } else { Vec::new() };
         (!air.sheets.is_empty() || !air.bodies.is_empty() || !arms.is_empty()).then(|| Airborne {
+            system,
             air,
             sheets: Elements::new(air.sheets.iter().map(|sheet| sheet.nodes).collect()),
-            bodies: vec![(DVec3::ZERO, DVec3::ZERO); air.bodies.len()],
-            inertia: vec![(DVec3::ZERO, DVec3::ZERO); arms.len()],
+            bodies: vec![Traced::default(); air.bodies.len()],
+            inertia: vec![Traced::default(); arms.len()],
             arms,
             leaving: Vec::new(),
         })
@@ -54,24 +55,28 @@ impl<'a> Airborne<'a> {
 
     /// A segment is no more.
     pub fn remove(&mut self, segment: usize) {
-        self.arms.iter_mut().for_each(|arms| arms.retain(|arm| arm.segment != segment));
+        for end in self.system.segments()[segment].ends {
+            self.arms.get_mut(end).into_iter().for_each(|arms| arms.retain(|arm| arm.segment != segment));
+        }
     }
 
-    /// The nodes on which it acts.
-    pub fn touched(system: &System) -> BTreeSet<usize> {
-        let Some(air) = &system.environment().air else { return BTreeSet::new() };
-        let taking_along = if air.added_mass > 0.0 { 0..system.mass().len() } else { 0..0 };
-        let sheets = air.sheets.iter().flat_map(|sheet| sheet.nodes);
-        sheets.chain(air.bodies.iter().map(|body| body.node)).chain(taking_along).collect()
+    /// The nodes on which it acts, those of sheets apart.
+    pub fn touched(system: &System) -> impl Iterator<Item = usize> {
+        system.environment().air.iter().flat_map(|air| {
+            let taking_along = if air.added_mass > 0.0 { 0..system.mass().len() } else { 0..0 };
+            air.bodies.iter().map(|body| body.node).chain(taking_along)
+        })
     }
 
     /// Adds the drag of sheets and bodies at `time`, s, to `force`, N, (nodes,), and returns the work done on the air
-    /// since the forces before, J. `moving` tells where a node is and how it moves, `turned` how a rigid body is turned.
+    /// since the forces before, J. `of_sheet` tells where a node of a sheet is and how it moves, `moving` any node, `turned` how a
+    /// rigid body is turned.
     pub fn drag(
         &mut self,
         team: &Team,
         time: f64,
-        moving: impl Fn(usize) -> (DVec3, DVec3) + Sync,
+        of_sheet: impl Fn(usize) -> (DVec3, DVec3) + Sync,
+        moving: impl Fn(usize) -> (DVec3, DVec3),
         turned: impl Fn(usize) -> DQuat,
         force: &mut [DVec3],
     ) -> f64 {
@@ -84,8 +89,8 @@ impl<'a> Airborne<'a> {
             let third = sheet_drag::force(x, w, wind, density, air.sheets[index].coefficient) / 3.0;
             Stress { elastic: [DVec3::ZERO; 3], friction: [third; 3] }
         };
-        let mut work = self.sheets.pull(team, pressed, &moving, force);
-        for (body, (last_force, last_place)) in air.bodies.iter().zip(&mut self.bodies) {
+        let mut work = self.sheets.pull(team, pressed, of_sheet, force);
+        for (body, traced) in air.bodies.iter().zip(&mut self.bodies) {
             let (place, velocity) = moving(body.node);
             let orientation = match body.attitude {
                 Attitude::Fixed(orientation) => orientation,
@@ -95,8 +100,7 @@ impl<'a> Airborne<'a> {
             let (density, viscosity) = (air.medium.density(place.z), air.medium.viscosity());
             let drag = orientation * body.shape.force(relative, density, viscosity);
             force[body.node] += drag;
-            work -= 0.5 * (*last_force + drag).dot(place - *last_place);
-            (*last_force, *last_place) = (drag, place);
+            work -= traced.work(drag, place);
         }
         work
     }
@@ -111,17 +115,17 @@ impl<'a> Airborne<'a> {
         force: &mut [DVec3],
     ) -> f64 {
         let mut work = 0.0;
-        for (node, (arms, (last_force, last_place))) in self.arms.iter().zip(&mut self.inertia).enumerate() {
-            if arms.is_empty() {
+        for (node, (arms, traced)) in self.arms.iter().zip(&mut self.inertia).enumerate() {
+            // what has lost its last segment has pulled until now
+            if arms.is_empty() && !traced.is_acting() {
                 continue;
             }
             let (mass, at) = (system.mass()[node], place(node));
             let others = all(node, force[node]) + mass * system.environment().gravity;
             let spans = arms.iter().map(|arm| (arm.taken_along, place(arm.to) - at));
-            let inertia = added_mass::force(mass, others, spans);
+            let inertia = if arms.is_empty() { DVec3::ZERO } else { added_mass::force(mass, others, spans) };
             force[node] += inertia;
-            work -= 0.5 * (*last_force + inertia).dot(at - *last_place);
-            (*last_force, *last_place) = (inertia, at);
+            work -= traced.work(inertia, at);
         }
         work
     }

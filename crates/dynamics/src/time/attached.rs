@@ -20,6 +20,7 @@ use super::elements::Elements;
 use super::grounded::Grounded;
 use super::launching::{Launching, Phase, Thrust, thrust};
 use super::step::Team;
+use super::traced::Traced;
 use crate::body::{Body, Rotation};
 use crate::forces::element::Element;
 use crate::forces::ground::Hull;
@@ -66,10 +67,9 @@ pub(super) struct Attached<'a> {
     turning: Vec<Turning>,
     /// Torque on each body at the last forces, N m.
     torque: Vec<DVec3>,
-    /// Force of each load, N, and where its node was, m, at the last forces.
-    loaded: Vec<(DVec3, DVec3)>,
-    /// Force on each driven node, N, and its position, m, at the last forces.
-    driven: Vec<(DVec3, DVec3)>,
+    /// Each load, and what pulls at each driven node.
+    loaded: Vec<Traced>,
+    driven: Vec<Traced>,
     launching: Launching,
     /// What each launcher does at the last forces.
     thrusts: Vec<Thrust>,
@@ -138,8 +138,8 @@ impl<'a> Attached<'a> {
             grounded,
             turning,
             torque: vec![DVec3::ZERO; system.bodies().len()],
-            loaded: vec![(DVec3::ZERO, DVec3::ZERO); system.loads().len()],
-            driven: vec![(DVec3::ZERO, DVec3::ZERO); system.drives().len()],
+            loaded: vec![Traced::default(); system.loads().len()],
+            driven: vec![Traced::default(); system.drives().len()],
             launching,
             thrusts: vec![Thrust::default(); system.launchers().len()],
             launched_body: system.launchers().iter().map(|launcher| body_at(launcher.node)).collect(),
@@ -192,7 +192,7 @@ impl<'a> Attached<'a> {
         let centres = system.bodies().iter().map(|body| body.centre);
         let launched = system.launchers().iter().map(|launcher| launcher.node);
         let everywhere = if system.environment().orbit.is_some() { 0..system.mass().len() } else { 0..0 };
-        let surrounded = Airborne::touched(system).into_iter().chain(Grounded::touched(system)).chain(everywhere);
+        let surrounded = Airborne::touched(system).chain(Grounded::touched(system)).chain(everywhere);
         element_nodes(system).chain(loads).chain(centres).chain(launched).chain(surrounded)
     }
 
@@ -208,10 +208,8 @@ impl<'a> Attached<'a> {
         load::add_force(self.system.loads(), time, force);
         let mut load_work = 0.0;
         let loads = self.system.loads().iter().zip(&mut self.loaded).filter(|(load, _)| !load.is_steady());
-        for (load, (last_force, last_place)) in loads {
-            let (force, place) = (load.at(time), node(load.node).x);
-            load_work += 0.5 * (*last_force + force).dot(place - *last_place);
-            (*last_force, *last_place) = (force, place);
+        for (load, traced) in loads {
+            load_work += traced.work(load.at(time), node(load.node).x);
         }
         self.sums = AttachedSums {
             load_work,
@@ -231,7 +229,7 @@ impl<'a> Attached<'a> {
         }
         if let Some(airborne) = &mut self.airborne {
             let turned = |body: usize| self.turning[body].half_step.orientation;
-            self.sums.air_work = airborne.drag(team, time, |index| as_seen(node(index)), turned, force);
+            self.sums.air_work = airborne.drag(team, time, at, |index| as_seen(node(index)), turned, force);
         }
     }
 
@@ -257,9 +255,6 @@ impl<'a> Attached<'a> {
     /// of ropes on a node, added to what is given; `moving` tells where a node is, and its half-step velocity.
     pub fn couple(&mut self, pull: impl Fn(usize, DVec3) -> DVec3, moving: impl Fn(usize) -> Moving) {
         let at = |node: usize| moving(node).x;
-        if let Some(airborne) = &mut self.airborne {
-            self.sums.added_mass_work = airborne.take_along(self.system, &pull, at, &mut self.force);
-        }
         for (body, torque) in self.system.bodies().iter().zip(&mut self.torque) {
             *torque = DVec3::ZERO;
             for tie in &body.ties {
@@ -280,10 +275,11 @@ impl<'a> Attached<'a> {
                 torque[hull.body] += arm.cross(force);
             });
         }
-        for (drive, (last_force, last_place)) in self.system.drives().iter().zip(&mut self.driven) {
-            let (force, place) = (pull(drive.node, self.force[drive.node]), at(drive.node));
-            self.sums.drive_work += 0.5 * (*last_force + force).dot(place - *last_place);
-            (*last_force, *last_place) = (force, place);
+        if let Some(airborne) = &mut self.airborne {
+            self.sums.added_mass_work = airborne.take_along(self.system, &pull, at, &mut self.force);
+        }
+        for (drive, traced) in self.system.drives().iter().zip(&mut self.driven) {
+            self.sums.drive_work += traced.work(pull(drive.node, self.force[drive.node]), at(drive.node));
         }
         self.launch(pull, moving);
         for (body, rotation) in self.system.bodies().iter().zip(self.rotations()) {
@@ -388,12 +384,13 @@ fn of_elements(system: &System) -> Vec<usize> {
     BTreeSet::from_iter(element_nodes(system)).into_iter().collect()
 }
 
-/// The nodes of elements, as often as they occur.
+/// The nodes of elements and of sheets that drag, as often as they occur.
 fn element_nodes(system: &System) -> impl Iterator<Item = usize> {
     let bends = system.bends().iter().flat_map(|bend| bend.nodes());
     let membranes = system.membranes().iter().flat_map(|membrane| membrane.nodes());
     let hinges = system.hinges().iter().flat_map(|hinge| hinge.nodes());
-    bends.chain(membranes).chain(hinges)
+    let air = system.environment().air.iter().flat_map(|air| &air.sheets);
+    bends.chain(membranes).chain(hinges).chain(air.flat_map(|sheet| sheet.nodes))
 }
 
 impl Turning {

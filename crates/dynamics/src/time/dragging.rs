@@ -1,11 +1,11 @@
 //! The pass over a block whose ropes drag: half of a segment's drag acts on each of its ends.
 //!
-//! Two loops with vectors, and one without between them for the few segments that are slow: their coefficient takes a
-//! power. Positions and velocities are those that tensions see.
+//! Two loops with vectors, and one without between them for segments whose coefficient takes more than a square root: the
+//! few that are slow, and all of a screen. Positions and velocities are those that tensions see.
 
 use super::blocks::{Components, Nodes, Ropes, Vectors, sum, zeros};
 use crate::air::Air;
-use crate::forces::rope_drag::{Met, PLAIN, RopeDrag, normal_coefficient, plain_coefficient};
+use crate::forces::rope_drag::{Met, PLAIN, RopeDrag, plain_coefficient};
 
 /// The air at one time.
 #[derive(Debug, Clone, Copy)]
@@ -93,11 +93,12 @@ impl Dragging {
         }
     }
 
-    /// The coefficients of slow segments, whose Reynolds numbers are there.
-    fn find_slow(&mut self, reynolds: &[f64]) {
+    /// The coefficients that vectors do not know, from Reynolds numbers: of slow segments, and all of a screen.
+    fn find_others(&mut self, reynolds: &[f64]) {
+        let all = self.rope.in_screen();
         for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(reynolds) {
-            if reynolds < PLAIN {
-                *coefficient = self.rope.screen * normal_coefficient(reynolds);
+            if all || reynolds < PLAIN {
+                *coefficient = self.rope.coefficient(reynolds);
             }
         }
     }
@@ -109,14 +110,14 @@ impl Ropes {
         let Some(dragging) = &mut self.dragging else { return };
         dragging.find_wind(nodes, breeze.air);
         match dragging.rope.normal {
-            Some(normal) => {
-                dragging.coefficient.fill(dragging.rope.screen * normal);
+            Some(_) => {
+                dragging.coefficient.fill(dragging.rope.coefficient(0.0));
                 vectors.meet_wind(nodes, dragging, breeze);
             }
             None => {
                 vectors.meet_wind(nodes, dragging, breeze);
                 let reynolds = std::mem::take(&mut dragging.each);
-                dragging.find_slow(&reynolds);
+                dragging.find_others(&reynolds);
                 dragging.each = reynolds;
             }
         }
@@ -144,7 +145,7 @@ pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gu
             let wind = [direction.x * mean[i], direction.y * mean[i], direction.z * mean[i]];
             let relative: [f64; 3] = std::array::from_fn(|k| (wind[k] + gust[k]) - velocity[k]);
             reynolds[i] = density[i] * Met::new(span, relative).across * per_viscosity;
-            coefficient[i] = rope.screen * plain_coefficient(reynolds[i]);
+            coefficient[i] = plain_coefficient(reynolds[i]);
         }
     }
 }

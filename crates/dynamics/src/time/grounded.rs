@@ -1,6 +1,6 @@
 //! What the ground does to nodes and to the hulls of rigid bodies, and what it takes from them on the way.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::elements::Elements;
 use super::step::Team;
@@ -12,8 +12,25 @@ use crate::system::System;
 pub(super) struct Grounded<'a> {
     ground: &'a Ground,
     nodes: Elements<1>,
-    /// What each point of a hull loses by, N, and where it was, m, at the last forces.
-    hulls: Vec<(DVec3, DVec3)>,
+    /// What each point of a hull loses by, N, and how its body was at the last forces.
+    hulls: Vec<(DVec3, Placed)>,
+}
+
+/// A body where its hull touches: its centre and how it is turned.
+#[derive(Debug, Clone, Copy)]
+struct Placed {
+    centre: DVec3,
+    orientation: DQuat,
+}
+
+impl Placed {
+    /// The way of what touches at `hull`, m, since `before`: a sphere rolls on, and is turned under its lowest point.
+    fn way(&self, before: &Placed, hull: &Hull) -> DVec3 {
+        let turn = self.orientation * before.orientation.inverse();
+        let angle = 2.0 * turn.w.signum() * DVec3::new(turn.x, turn.y, turn.z);
+        let arm = self.orientation * hull.arm - before.orientation * hull.arm;
+        (self.centre - before.centre) + arm - angle.cross(hull.radius * DVec3::Z)
+    }
 }
 
 impl<'a> Grounded<'a> {
@@ -23,7 +40,10 @@ impl<'a> Grounded<'a> {
         Some(Grounded {
             ground,
             nodes: Elements::new(ground.nodes.iter().map(|at| [at.node]).collect()),
-            hulls: vec![(DVec3::ZERO, DVec3::ZERO); ground.hulls.len()],
+            hulls: vec![
+                (DVec3::ZERO, Placed { centre: DVec3::ZERO, orientation: DQuat::IDENTITY });
+                ground.hulls.len()
+            ],
         })
     }
 
@@ -59,16 +79,17 @@ impl<'a> Grounded<'a> {
         mut put: impl FnMut(&Hull, DVec3, DVec3),
     ) -> f64 {
         let mut work = 0.0;
-        for (hull, (last_friction, last_place)) in self.ground.hulls.iter().zip(&mut self.hulls) {
+        for (hull, last) in self.ground.hulls.iter().zip(&mut self.hulls) {
             let (x, v, rotation) = moving(hull);
             let (place, velocity) = hull.moving(&system.bodies()[hull.body], &rotation, x, v);
             let stress = self.ground.push(&hull.spring, place, velocity, dt);
             let ([elastic], [friction]) = (stress.elastic, stress.friction);
-            if elastic != DVec3::ZERO {
+            if elastic + friction != DVec3::ZERO {
                 put(hull, place - x, elastic + friction);
             }
-            work -= 0.5 * (*last_friction + friction).dot(place - *last_place);
-            (*last_friction, *last_place) = (friction, place);
+            let now = (friction, Placed { centre: x, orientation: rotation.orientation });
+            let before = std::mem::replace(last, now);
+            work -= 0.5 * (before.0 + friction).dot(now.1.way(&before.1, hull));
         }
         work
     }

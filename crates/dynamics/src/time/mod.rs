@@ -25,6 +25,7 @@ pub mod readable;
 mod rupture;
 pub mod step;
 pub mod step_size;
+mod traced;
 
 use crate::forces::mass_damping;
 

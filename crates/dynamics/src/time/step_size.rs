@@ -21,9 +21,9 @@
 
 use crate::body::Body;
 use crate::forces::element::Element;
-use crate::forces::ground::{Ground, Spring};
+use crate::forces::ground::Spring;
 use crate::launcher::{Means, Push, Tube};
-use crate::system::System;
+use crate::system::{Environment, System};
 
 /// A bound on the step and what sets it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +40,7 @@ pub struct StepLimit {
     pub elsewhere: f64,
 }
 
-/// What makes a node stiff, with its index in the system.
+/// What makes a node stiff, with its index in the system where it has one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stiff {
     /// A segment.
@@ -51,6 +51,10 @@ pub enum Stiff {
     Membrane(usize),
     /// A hinge of a sheet.
     Hinge(usize),
+    /// The ground.
+    Ground,
+    /// The drag of the medium.
+    Air,
 }
 
 /// What meets at each node.
@@ -59,12 +63,17 @@ struct Meeting {
     stiffness: Vec<f64>,
     damping: Vec<f64>,
     stiffest: Vec<Option<(f64, Stiff)>>,
+    /// The shares of the ground in the stiffness and of the medium in the damping.
+    of_ground: Vec<f64>,
+    of_air: Vec<f64>,
 }
 
 impl Meeting {
     fn of(system: &System) -> Meeting {
         let nodes = system.mass().len();
-        let mut at = Meeting { stiffness: vec![0.0; nodes], damping: vec![0.0; nodes], stiffest: vec![None; nodes] };
+        let none = || vec![0.0; nodes];
+        let (stiffest, of_ground, of_air) = (vec![None; nodes], none(), none());
+        let mut at = Meeting { stiffness: none(), damping: none(), stiffest, of_ground, of_air };
         for (i, s) in system.segments().iter().enumerate() {
             let stiffness = system.law(s).largest_stiffness(&s.into());
             s.ends.iter().for_each(|&node| at.add(node, stiffness, s.damping, Stiff::Segment(i)));
@@ -75,24 +84,25 @@ impl Meeting {
         // what pulls at a body's ties, at once a push and a turn: a tie at r from the centre moves by at most
         // sqrt(1 + r^2/g^2) times what the body does, with its least radius of gyration g as the measure of turning
         // or, where the centre does not give way, by what it turns
+        // drag and ground are between a node and the world: they count once, where what joins two nodes counts twice
+        let Environment { air, ground, .. } = system.environment();
+        if let Some(air) = air {
+            air.damping(system, |node, damping| {
+                at.damping[node] += 0.5 * damping;
+                at.of_air[node] += 0.5 * damping;
+            });
+        }
+        for footing in ground.iter().flat_map(|ground| &ground.nodes) {
+            at.add_ground(footing.node, 0.5, &footing.spring);
+        }
         for body in system.bodies() {
-            let gyration_squared = body.inertia.min_element() / turning_mass(system, body);
-            let pushed = if system.held()[body.centre] { 0.0 } else { 1.0 };
             for tie in &body.ties {
-                let lever = pushed + tie.arm.length_squared() / gyration_squared;
-                let (stiffness, damping) = (lever * at.stiffness[tie.node], lever * at.damping[tie.node]);
-                if let Some((_, what)) = at.stiffest[tie.node] {
-                    at.add(body.centre, stiffness, damping, what);
-                }
+                at.pass(tie.node, body.centre, lever(system, body, tie.arm.length()));
             }
         }
-        // what the ground does to a node, too, is between it and the world
-        for (node, spring) in system.environment().ground.iter().flat_map(|ground| footings(system, ground)) {
-            at.stiffness[node] += 0.5 * spring.stiffness;
-            at.damping[node] += 0.5 * spring.damping;
-        }
-        if let Some(air) = &system.environment().air {
-            air.damping(system, |node, damping| at.damping[node] += 0.5 * damping);
+        for hull in ground.iter().flat_map(|ground| &ground.hulls) {
+            let body = &system.bodies()[hull.body];
+            at.add_ground(body.centre, 0.5 * lever(system, body, hull.reach()), &hull.spring);
         }
         // a spring between the launcher and its node: counted once, where one between two nodes counts twice
         for launcher in system.launchers() {
@@ -111,6 +121,36 @@ impl Meeting {
         }
     }
 
+    fn add_ground(&mut self, node: usize, share: f64, spring: &Spring) {
+        self.stiffness[node] += share * spring.stiffness;
+        self.damping[node] += share * spring.damping;
+        self.of_ground[node] += share * spring.stiffness;
+    }
+
+    /// What meets at a tie acts on the body, with this lever.
+    fn pass(&mut self, tie: usize, centre: usize, lever: f64) {
+        for of in [&mut self.stiffness, &mut self.damping, &mut self.of_air] {
+            of[centre] += lever * of[tie];
+        }
+        if let Some((stiffness, what)) = self.stiffest[tie]
+            && self.stiffest[centre].is_none_or(|(other, _)| lever * stiffness > other)
+        {
+            self.stiffest[centre] = Some((lever * stiffness, what));
+        }
+    }
+
+    /// What makes a node of this mass, kg, stiff.
+    fn stiffest(&self, node: usize, mass: f64) -> Option<Stiff> {
+        let (stiffness, damping) = (self.stiffness[node], self.damping[node]);
+        if self.of_ground[node] > 0.5 * stiffness {
+            return Some(Stiff::Ground);
+        }
+        if self.of_air[node] > 0.5 * damping && damping * damping > 0.5 * stiffness * mass {
+            return Some(Stiff::Air);
+        }
+        self.stiffest[node].map(|(_, what)| what)
+    }
+
     fn add_element<E: Element<N>, const N: usize>(&mut self, element: &E, what: Stiff) {
         let (stiffness, damping) = (element.stiffness(), element.damping());
         for (k, node) in element.nodes().into_iter().enumerate() {
@@ -119,16 +159,13 @@ impl Meeting {
     }
 }
 
-/// The springs of the ground and the nodes that they push; those of a body as if all pushed at its centre.
-fn footings(system: &System, ground: &Ground) -> Vec<(usize, Spring)> {
-    let nodes = ground.nodes.iter().map(|at| (at.node, at.spring));
-    let hulls = ground.hulls.iter().map(|hull| {
-        let centre = system.bodies()[hull.body].centre;
-        let lever = system.mass()[centre] / hull.spring.mass;
-        let Spring { stiffness, damping, mass } = hull.spring;
-        (centre, Spring { stiffness: lever * stiffness, damping: lever * damping, mass })
-    });
-    nodes.chain(hulls).collect()
+/// By how much what pulls at a point `reach` metres from a body's centre moves it more than what pulls at the centre: at
+/// once a push and a turn, 1 + r^2/g^2, with its least radius of gyration g as the measure of turning. A centre that is
+/// held is turned only.
+fn lever(system: &System, body: &Body, reach: f64) -> f64 {
+    let gyration_squared = body.inertia.min_element() / turning_mass(system, body);
+    let pushed = if system.held()[body.centre] { 0.0 } else { 1.0 };
+    pushed + reach * reach / gyration_squared
 }
 
 /// The mass at whose radius of gyration a body's inertia stands for it, kg: its own, or at a metre where it has none.
@@ -158,7 +195,7 @@ pub fn step_limit(system: &System) -> StepLimit {
         let (mass, k) = (mass[node], at.stiffness[node]);
         mass / (c + (c * c + 0.5 * k * mass).sqrt())
     };
-    let is_free = |node: &usize| mass[*node] > 0.0 && at.stiffness[*node] > 0.0;
+    let is_free = |node: &usize| mass[*node] > 0.0 && at.stiffness[*node] + at.damping[*node] > 0.0;
     let free: Vec<usize> = (0..nodes).filter(is_free).collect();
     let smallest = |one: (usize, f64), other: (usize, f64)| if other.1 < one.1 { other } else { one };
     let least = free.iter().map(|&node| (node, bound(node, at.damping[node]))).reduce(smallest);
@@ -166,15 +203,15 @@ pub fn step_limit(system: &System) -> StepLimit {
         let (dt, without_damping, elsewhere) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
         return StepLimit { dt, node: 0, stiffest: None, without_damping, elsewhere };
     };
-    let stiffest = at.stiffest[node].map(|(_, what)| what);
-    let touched = touched(system, stiffest);
+    let stiffest = at.stiffest(node, mass[node]);
+    let touched = touched(system, &at, stiffest);
     let others = free.iter().filter(|&&node| !touched[node]).map(|&node| bound(node, at.damping[node]));
     let elsewhere = others.fold(f64::INFINITY, f64::min);
     StepLimit { dt, node, stiffest, without_damping: bound(node, 0.0), elsewhere }
 }
 
 /// Nodes at which something of the kind of `what` meets: for a segment its class.
-fn touched(system: &System, what: Option<Stiff>) -> Vec<bool> {
+fn touched(system: &System, at: &Meeting, what: Option<Stiff>) -> Vec<bool> {
     let mut touched = vec![false; system.mass().len()];
     let mut touch = |nodes: &[usize]| nodes.iter().for_each(|&node| touched[node] = true);
     match what {
@@ -185,6 +222,8 @@ fn touched(system: &System, what: Option<Stiff>) -> Vec<bool> {
         Some(Stiff::Bending(_)) => system.bends().iter().for_each(|bend| touch(&bend.nodes())),
         Some(Stiff::Membrane(_)) => system.membranes().iter().for_each(|membrane| touch(&membrane.nodes())),
         Some(Stiff::Hinge(_)) => system.hinges().iter().for_each(|hinge| touch(&hinge.nodes())),
+        Some(Stiff::Ground) => (0..touched.len()).for_each(|node| touched[node] = at.of_ground[node] > 0.0),
+        Some(Stiff::Air) => (0..touched.len()).for_each(|node| touched[node] = at.of_air[node] > 0.0),
         None => {}
     }
     touched

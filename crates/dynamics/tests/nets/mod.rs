@@ -183,10 +183,10 @@ pub fn in_a_storm(net: &mut Net) {
     let mean = power_law(15.0, 10.0, 0.2, 1.5, 20.0);
     let fluctuation = Series { first: 0.0, spacing: 1e-3, values: (0..40).map(wobble).collect() };
     let wind = Wind { direction: DVec3::new(0.6, 0.8, 0.0), mean, fluctuation };
-    let rope = RopeDrag { diameter: 0.01, normal: None, tangential: 0.02, screen: 1.4 };
+    let rope = RopeDrag { diameter: 0.01, normal: None, tangential: 0.02, solidity: 0.2 };
     let drag = |class: usize| match class % 3 {
         0 => Some(rope),
-        1 => Some(RopeDrag { normal: Some(1.2), screen: 1.0, ..rope }),
+        1 => Some(RopeDrag { normal: Some(1.2), solidity: 0.0, ..rope }),
         _ => None,
     };
     let body = |(index, body): (usize, &Body)| BodyDrag {
@@ -215,7 +215,7 @@ pub fn on_the_ground_of_a_moon(net: &mut Net) {
     let heavy = net.parts.mass.iter().enumerate().filter(|(node, mass)| **mass > 0.0 && !has_hull(*node));
     let hulls = net.parts.bodies.iter().enumerate().flat_map(|(index, body)| {
         let mass = net.parts.mass[body.centre];
-        [-0.1, 0.1].map(|side| Hull::new(index, body, mass, DVec3::new(side, 0.05, -0.1), spring))
+        [-0.1, 0.1].map(|side| Hull::new(index, body, mass, (DVec3::new(side, 0.05, -0.1), 0.01), spring))
     });
     let ground = Ground {
         height: -0.2,

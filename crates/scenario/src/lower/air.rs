@@ -12,7 +12,7 @@ use netcast_dynamics::air::wind::Wind;
 use netcast_dynamics::air::{Air, Attitude, BodyDrag};
 use netcast_dynamics::forces::body_drag::Shape as DragShape;
 use netcast_dynamics::forces::load::Load;
-use netcast_dynamics::forces::rope_drag::{RopeDrag, screen_factor};
+use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_dynamics::forces::sheet_drag::SheetDrag;
 use netcast_dynamics::launcher::{Launcher, Means, Push};
 use netcast_dynamics::state::State;
@@ -95,9 +95,9 @@ pub fn surround(
         _ => Medium::standard(asked.altitude.map_or(0.0, |altitude| altitude.si())),
     };
     let rope = |group: &Group| {
-        let screen = solidity.filter(|_| group.class != Class::Traction).map_or(1.0, screen_factor);
+        let solidity = solidity.filter(|_| group.class != Class::Traction).unwrap_or(0.0);
         let normal = asked.normal_coefficient.map(|coefficient| coefficient.si());
-        Some(RopeDrag { diameter: group.diameter?, normal, tangential: asked.tangential_coefficient.si(), screen })
+        Some(RopeDrag { diameter: group.diameter?, normal, tangential: asked.tangential_coefficient.si(), solidity })
     };
     let porosity = scenario.canopy.as_ref().map_or(0.0, Canopy::porosity);
     let coefficient = (1.0 - porosity) * asked.sheet_coefficient.si();

@@ -36,7 +36,7 @@ impl Model {
         for (group, area, drag) in self.rope_areas(air) {
             let Some(rope) = &self.groups[group].rope else { continue };
             let reynolds = reynolds(air, drag, outline.launch_speed);
-            let (normal, screened) = (drag.coefficient(reynolds), drag.screen != 1.0);
+            let (normal, screened) = (drag.coefficient(reynolds), drag.solidity > 0.0);
             match found.iter_mut().find(|known| known.rope == *rope && known.screened == screened) {
                 Some(known) => known.area += area,
                 None => found.push(RopesInAir { rope: rope.clone(), screened, area, reynolds, normal }),

@@ -38,7 +38,7 @@ pub fn lay(
         let (mass, of_it) = (parts.mass[body.centre], placed.iter().find(|placed| placed.rigid == Some(index)));
         let points = match of_it.map(|placed| placed.solid.shape) {
             Some(Shape::Sphere { diameter_m }) => {
-                nodes.push(Footing { node: body.centre, radius: 0.5 * diameter_m, spring: spring(mass) });
+                hulls.push(Hull::new(index, body, mass, (DVec3::ZERO, 0.5 * diameter_m), spring));
                 continue;
             }
             Some(Shape::Cylinder { diameter_m, height_m }) => rims(diameter_m, height_m),
@@ -46,7 +46,7 @@ pub fn lay(
             // a plate: the nodes that it carries
             Some(Shape::Particle { .. }) | None => body.ties.iter().map(|tie| tie.arm).collect(),
         };
-        hulls.extend(points.into_iter().map(|arm| Hull::new(index, body, mass, arm, spring)));
+        hulls.extend(points.into_iter().map(|arm| Hull::new(index, body, mass, (arm, 0.0), spring)));
     }
     let is_centre = |node: usize| parts.bodies.iter().any(|body| body.centre == node);
     let movable = (0..parts.mass.len()).filter(|&node| parts.mass[node] > 0.0 && !parts.held[node] && !is_centre(node));
@@ -59,7 +59,7 @@ pub fn lay(
     let of_nodes = nodes.iter().map(|at| (at.node, state.position[at.node].z - at.radius));
     let of_hulls = hulls.iter().map(|hull| {
         let centre = parts.bodies[hull.body].centre;
-        (centre, (state.position[centre] + state.rotation[hull.body].orientation * hull.arm).z)
+        (centre, (state.position[centre] + hull.offset(&state.rotation[hull.body])).z)
     });
     let (lowest, bottom) =
         of_nodes.chain(of_hulls).fold((0, f64::INFINITY), |one, other| if other.1 < one.1 { other } else { one });

@@ -343,6 +343,8 @@ impl Model {
             Stiff::Bending(_) => "bending of ropes".to_owned(),
             Stiff::Membrane(_) => "sheets".to_owned(),
             Stiff::Hinge(_) => "bending of sheets".to_owned(),
+            Stiff::Ground => return Some("a longer environment.ground.contact_time".to_owned()),
+            Stiff::Air => return Some("heavier or thinner parts, a thinner medium, or less speed".to_owned()),
         };
         let times = |allowed: f64| format!("{:.1} times the step", allowed / dt);
         Some(if without_damping > NOTABLE * dt {
@@ -456,6 +458,8 @@ fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<Str
         Stiff::Bending(_) => at("the bending of a rope"),
         Stiff::Membrane(_) => at("a sheet"),
         Stiff::Hinge(_) => at("the bending of a sheet"),
+        Stiff::Ground => at("the ground"),
+        Stiff::Air => at("the drag of the medium"),
     })
 }
 

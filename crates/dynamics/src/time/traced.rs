@@ -1,0 +1,23 @@
+//! A force that is followed, for the work that it does.
+
+use glam::DVec3;
+
+/// A force and where it acted at the last forces; zero before the first.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Traced {
+    force: DVec3,
+    place: DVec3,
+}
+
+impl Traced {
+    /// The work, J, between the forces before and these, `force`, N, at `place`, m: force times way, trapezoidal rule.
+    pub fn work(&mut self, force: DVec3, place: DVec3) -> f64 {
+        let before = std::mem::replace(self, Traced { force, place });
+        0.5 * (before.force + force).dot(place - before.place)
+    }
+
+    /// Whether there was a force.
+    pub fn is_acting(&self) -> bool {
+        self.force != DVec3::ZERO
+    }
+}
