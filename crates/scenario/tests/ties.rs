@@ -63,6 +63,16 @@ fn ties_hold_to_a_place_or_to_each_other_and_the_web_is_what_it_was() {
     assert!(resolved.contains("[[break_ties]]") && resolved.contains("breaking_strain = 0.1"), "{resolved}");
 }
 
+/// The air drags at ropes, and knows no threads.
+#[test]
+fn a_web_that_is_tied_fills_as_much_of_its_outline_in_air() {
+    let air = "environment.air.solidity = \"web\"\nstow.scale.factor = 0.5\n";
+    let (plain, tied) =
+        (modelled(air), modelled(&format!("{air}break_ties = [{{ corners = true, breaking_load = 50 }}]\n")));
+    let [plain, tied] = [plain, tied].map(|model| model.air.expect("there is air").drawn_solidity);
+    assert!(plain.is_some() && plain == tied, "{plain:?} and {tied:?}");
+}
+
 #[test]
 fn what_is_left_out_of_a_tie_follows_from_where_the_web_lies() {
     // shrunk to a quarter, the knots lie 0.125 m apart
