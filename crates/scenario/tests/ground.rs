@@ -51,6 +51,25 @@ fn what_starts_below_it_is_told() {
 }
 
 #[test]
+fn on_the_ground_a_net_has_an_equilibrium_with_nothing_held() {
+    let lying = model("environment.ground = {}\nsolve.static = {}").unwrap();
+    assert!(lying.system.held().iter().all(|held| !held));
+    assert!(wrong("solve.static = {}").contains("there is no equilibrium"));
+}
+
+#[test]
+fn a_step_that_the_ground_or_the_medium_sets_is_said_to_be_set_by_it() {
+    let short = model("environment.ground = { height = -1, contact_time = \"1 us\" }").unwrap();
+    assert!(short.limited_by().unwrap().starts_with("the ground at"), "{:?}", short.limited_by());
+    assert!(short.step_lift().unwrap().contains("contact_time"));
+    let soft = NET.replace("1 GPa", "100 Pa");
+    let thick = format!("{soft}environment.air = {{ density = 1e5, viscosity = 1 }}");
+    let source = Source { name: "net.toml".into(), text: thick };
+    let model = Model::new(&Document::parse(source, "".as_ref(), &[]).unwrap()).unwrap();
+    assert!(model.limited_by().unwrap().starts_with("the drag of the medium at"), "{:?}", model.limited_by());
+}
+
+#[test]
 fn a_profile_of_the_wind_begins_at_the_ground() {
     let wind = "[environment]\nair = {}\nground.height = -3\nwind = { speed = 5, power.exponent = 0.2 }";
     let net = model(wind).unwrap();
@@ -72,6 +91,7 @@ fn an_orbit_has_its_mean_motion_and_nothing_beside_it() {
     for what in ["environment.air", "environment.ground", "environment.gravity"] {
         assert!(found.contains(what), "{what} in {found}");
     }
+    assert!(wrong("environment.orbit.altitude = 6e5\nsolve.static = {}").contains("solve.static: beside an orbit"));
     let found = wrong("environment.orbit = {}");
     assert!(found.contains("altitude"), "{found}");
 }

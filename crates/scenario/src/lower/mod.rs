@@ -277,6 +277,10 @@ impl Model {
         // the packing knows nothing of laws, nor of elements
         let ropes = RopeState::at_rest(&system, &state.position);
         let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
+        if scenario.solve.statics.is_some() && system.environment().orbit.is_some() {
+            let message = "beside an orbit no equilibrium is looked for";
+            return Err(document.diagnostic("solve.static", message).with_help("leave it out").into());
+        }
         if scenario.solve.statics.is_some()
             && let Some(Unsupported { node, load }) = unsupported(&system, &state)
         {
@@ -452,7 +456,9 @@ fn affordable(
 
 /// What sets the step, in words.
 fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<String> {
-    let at = |what: &str| format!("{what} at {}", cut.node_label(limit.node));
+    // a rigid body's centre is no node of the web
+    let place = if limit.node < cut.nodes.len() { cut.node_label(limit.node) } else { "a rigid body".to_owned() };
+    let at = |what: &str| format!("{what} at {place}");
     Some(match limit.stiffest? {
         Stiff::Segment(segment) => members[segment].label(cut),
         Stiff::Bending(_) => at("the bending of a rope"),
