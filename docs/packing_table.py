@@ -31,6 +31,7 @@ PATTERNS = {
     "star": f"star={{{CONTAINER}}}",
     "roll": f"roll={{{CONTAINER}}}",
     "layers": f"layers={{{CONTAINER}}}",
+    "prescribed": 'prescribed={radius="0.4 m",depth="0.6 m"}',
 }
 # without traction ropes a pattern would put tractors into the pack
 TRACTION = {"polygon": '"1 m"', "diamond": '"1 m"'}
@@ -104,6 +105,7 @@ def main():
     options.add_argument("--imperfection", default=IMPERFECTION, help=f"of each but its seed; default: {IMPERFECTION}")
     options.add_argument("--jobs", type=int, default=1, help="runs at a time")
     options.add_argument("--webs", nargs="*", default=list(WEBS), choices=list(WEBS))
+    options.add_argument("--patterns", nargs="*", default=list(PATTERNS), choices=list(PATTERNS))
     options.add_argument("--set", action="append", default=[], help="a further override of every run")
     options.add_argument("--keep", help="CSV file of what each run gave")
     options = options.parse_args()
@@ -123,7 +125,7 @@ def main():
     print(f"| web | pattern | open | {' | '.join(header)} | failed |\n|---|---|---|{'---|' * len(header)}---|")
     with ThreadPoolExecutor(options.jobs) as pool:
         for web in options.webs:
-            for pattern in PATTERNS:
+            for pattern in options.patterns:
                 cases = list(pool.map(lambda seed: case(web, pattern, seed), seeds))
                 good = [values for values in cases if not isinstance(values, str)]
                 failed = [values for values in cases if isinstance(values, str)]
