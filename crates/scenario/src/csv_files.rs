@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use netcast_dynamics::forces::tabulated::Tabulated;
+use netcast_webs::Class;
 
 use crate::csv_table::{Cells, CsvTable, MOST_FAULTS};
 use crate::diagnostic::Diagnostic;
@@ -15,7 +16,7 @@ use crate::drive::misplaced;
 use crate::interval::{Any, NonNegative, Positive, Within};
 use crate::nearest::nearest;
 use crate::path::Path;
-use crate::rules::{ropes, unknown_rope};
+use crate::rules::{is_plain, ropes, unknown_rope};
 use crate::tree::{Table, Value};
 use crate::written::Written;
 
@@ -46,7 +47,7 @@ pub struct RopeRow {
     /// Its name in `[ropes]`; none for that of its class.
     pub rope: Option<String>,
     /// Its link class.
-    pub class: Option<String>,
+    pub class: Option<Class>,
     /// Its rest length, m; none for the distance between its ends.
     pub rest_length_m: Option<f64>,
     /// Its tension as drawn, N; none for that of its rope.
@@ -149,6 +150,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         if let Some((message, help)) = rope.and_then(|name| unknown_rope(written, name)) {
             cells.fault_in("rope", message, Some(help));
         }
+        let class = class(cells);
         let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL);
         let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL);
         let segments = segments(cells);
@@ -156,7 +158,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
             a: a?,
             b: b?,
             rope: rope.map(str::to_string),
-            class: cells.optional_text("class").map(str::to_string),
+            class: class?,
             rest_length_m: rest_length?,
             pretension_n: pretension?,
             segments: segments?,
@@ -380,6 +382,20 @@ fn fixed(cells: &mut Cells) -> Option<bool> {
             None
         }
     }
+}
+
+/// The link class of a rope, by a name that is not taken for something else in the results.
+fn class(cells: &mut Cells) -> Option<Option<Class>> {
+    let Some(name) = cells.optional_text("class") else { return Some(None) };
+    let class = Class::from_name(name);
+    let why = match (&class, name) {
+        (None, _) => "is kept for what is no rope",
+        (Some(_), "tension") => "is kept for the largest tension of all ropes",
+        (Some(_), name) if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
+        _ => return Some(class),
+    };
+    cells.fault_in("class", format!("the link class {name:?} {why}"), Some("choose another name".into()));
+    None
 }
 
 fn segments(cells: &mut Cells) -> Option<Option<NonZeroU32>> {

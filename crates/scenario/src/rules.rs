@@ -29,6 +29,11 @@ pub(crate) fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table
     written.tree.get(&Path::parse(path)).and_then(|node| node.value.as_table())
 }
 
+/// Whether a name can stand in the header of a table and in a script.
+pub(crate) fn is_plain(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || [' ', '_', '-', '.'].contains(&c))
+}
+
 /// That `name` is one of `[ropes]`; says so at `path` where it is not.
 pub(crate) fn unknown_rope(written: &Written, name: &str) -> Option<(String, String)> {
     let ropes: Vec<&str> = table_at(written, "ropes").into_iter().flat_map(Table::keys).collect();

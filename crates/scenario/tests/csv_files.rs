@@ -3,6 +3,7 @@
 use std::num::NonZeroU32;
 
 use netcast_scenario::{Diagnostics, Document};
+use netcast_webs::Class;
 
 const SCENARIO: &str = r#"[web.graph]
 nodes = "nodes.csv"
@@ -55,7 +56,7 @@ fn rows_are_read_with_their_defaults() {
     assert_eq!((graph.nodes[1].mass_kg, graph.nodes[1].velocity_m_s), (0.5, [2.5, 0.0, 0.0]));
     assert_eq!(graph.nodes[2].position_m, [0.0, 1.0, -0.25]);
     assert_eq!((graph.ropes[0].a, graph.ropes[0].b), (0, 1));
-    assert_eq!((graph.ropes[0].rope.as_deref(), graph.ropes[0].class.as_deref()), (Some("thick"), Some("outline")));
+    assert_eq!((graph.ropes[0].rope.as_deref(), &graph.ropes[0].class), (Some("thick"), &Some(Class::Outline)));
     assert_eq!((graph.ropes[0].rest_length_m, graph.ropes[0].segments), (Some(1.1), NonZeroU32::new(4)));
     assert_eq!((graph.ropes[1].a, graph.ropes[1].b, graph.ropes[1].pretension_n), (1, 2, Some(20.0)));
     assert_eq!((&graph.ropes[1].rope, &graph.ropes[1].class, graph.ropes[1].line), (&None, &None, 3));
@@ -89,6 +90,19 @@ fn every_bad_row_is_reported_by_line_with_what_was_expected() {
             "ropes.csv:5: a: expected the id of a node, found nothing",
         ]
     );
+}
+
+#[test]
+fn a_link_class_has_a_name_of_its_own() {
+    let kept = |line: usize, name: &str| {
+        format!("ropes.csv:{line}: the link class {name:?} is kept for what is no rope (choose another name)")
+    };
+    let ropes = "a,b,class\nn1,n2,Tie\nn2,n3,stitch\nn3,n1,canopy\nn1,n2,tension\nn2,n3,a/b\n";
+    let found = wrong(SCENARIO, NODES, ropes);
+    assert_eq!(found[..3], [kept(2, "Tie"), kept(3, "stitch"), kept(4, "canopy")]);
+    assert_eq!(found.len(), 5, "{found:?}");
+    assert!(found[3].starts_with("ropes.csv:5: the link class \"tension\" is kept"));
+    assert!(found[4].starts_with("ropes.csv:6: the link class \"a/b\" has other characters"), "{}", found[4]);
 }
 
 #[test]

@@ -30,8 +30,9 @@ pub enum Class {
 }
 
 impl Class {
-    /// The class of this name: one of ours in any case of letters, else [`Class::Named`] with the name as given.
-    pub fn from_name(name: &str) -> Class {
+    /// The class of ropes of this name: one of ours in any case of letters, else [`Class::Named`] with the name as given;
+    /// none where the name is that of what is no rope.
+    pub fn from_name(name: &str) -> Option<Class> {
         let ours = [
             Class::Traction,
             Class::Outline,
@@ -45,9 +46,8 @@ impl Class {
             Class::Stitch,
         ];
         let name = name.trim();
-        ours.into_iter()
-            .find(|class| class.name().eq_ignore_ascii_case(name))
-            .unwrap_or_else(|| Class::Named(name.to_owned()))
+        let known = ours.into_iter().find(|class| class.name().eq_ignore_ascii_case(name));
+        Some(known.unwrap_or_else(|| Class::Named(name.to_owned()))).filter(Class::is_rope)
     }
 
     /// The class's name: ours in lower case, the user's as given.
@@ -89,11 +89,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_class_is_found_by_its_name() {
-        assert_eq!(Class::from_name("radial"), Class::Radial);
-        assert_eq!(Class::from_name(" Traction "), Class::Traction);
-        assert_eq!(Class::from_name("Edge cord"), Class::Named("Edge cord".into()));
-        assert_eq!(Class::from_name("hexagon").to_string(), "hexagon");
+    fn every_class_of_ropes_is_found_by_its_name() {
+        assert_eq!(Class::from_name("radial"), Some(Class::Radial));
+        assert_eq!(Class::from_name(" Traction "), Some(Class::Traction));
+        assert_eq!(Class::from_name("Edge cord"), Some(Class::Named("Edge cord".into())));
+        assert_eq!(Class::from_name("hexagon").unwrap().to_string(), "hexagon");
+    }
+
+    #[test]
+    fn no_rope_is_of_a_class_of_what_is_no_rope() {
+        for name in ["canopy", "Tie", " stitch"] {
+            assert_eq!(Class::from_name(name), None, "{name}");
+        }
     }
 
     #[test]

@@ -259,9 +259,9 @@ fn a_stow_file_must_know_every_knot_and_no_other() {
 #[test]
 fn names_that_mean_something_else_in_the_results_are_refused() {
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,tension");
-    assert_says(&message, &["line 6: the link class \"tension\" is kept for the largest tension", "net.toml:5:9"]);
+    assert_says(&message, &["the link class \"tension\" is kept for the largest tension", "ropes.csv:6:11"]);
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,Canopy");
-    assert_says(&message, &["line 6: the link class \"canopy\" is kept for the members of canopies"]);
+    assert_says(&message, &["the link class \"Canopy\" is kept for what is no rope", "ropes.csv:6:11"]);
     let message = graph_with("net.toml", "[rope]", "[points]\ntractor = \"n1\"\n\"a,b\" = \"n2\"\n\n[rope]");
     assert_says(&message, &["\"tractor\" is followed in every run already", "\"a,b\" has other characters"]);
 }

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 use netcast_webs::{
-    Class, CutError, CutWeb, Cutting, Diamond, Graph, GraphNode, GraphRope, Merged, Radial, Site, Web, WebError, cut,
-    diamond, graph, parallel_spacing, polygon, radial, space, square, topological, traditional,
+    CutError, CutWeb, Cutting, Diamond, Graph, GraphNode, GraphRope, Merged, Radial, Site, Web, WebError, cut, diamond,
+    graph, parallel_spacing, polygon, radial, space, square, topological, traditional,
 };
 
 use crate::csv_files::GraphFiles;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::quantity::Length;
+use crate::rules::is_plain;
 use crate::scenario::Scenario;
 use crate::web;
 
@@ -170,7 +171,7 @@ fn listed(web: &web::Graph, files: &GraphFiles, scenario: &Scenario) -> Graph {
             .map(|r| GraphRope {
                 a: id(r.a),
                 b: id(r.b),
-                class: r.class.as_deref().map(Class::from_name),
+                class: r.class.clone(),
                 label: None,
                 rest_length: r.rest_length_m,
                 segments: r.segments.map(|n| n.get() as usize),
@@ -208,7 +209,7 @@ fn name_points(document: &Document, scenario: &Scenario, web: &mut Web) -> Resul
     for name in scenario.points.keys() {
         let why = match &name[..] {
             "tractor" | "corner" | "centre" => "is followed in every run already",
-            name if !super::is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
+            name if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
             _ => continue,
         };
         let message = format!("the feature point {name:?} {why}");

@@ -11,7 +11,7 @@ use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill
 
 use super::assignment::{rings, ropes_of_links};
 use super::canopies::Canopies;
-use super::{canopy_links, is_plain, rope_law};
+use super::{canopy_links, rope_law};
 use crate::canopy::Canopy;
 use crate::csv_files::RopeRow;
 use crate::diagnostic::Diagnostics;
@@ -158,7 +158,6 @@ pub fn materials(
 ) -> Result<Materials, Diagnostics> {
     let web = &cut.web.clone();
     let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
-    class_names(document, cut, rows)?;
     let kinds = ropes_of_links(document, scenario, web, rows, notes)?;
     let canopy = (!web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default());
     let groups = groups(document, scenario, web, &kinds, matches!(canopy, Some(Canopy::Links(_))))?;
@@ -290,24 +289,6 @@ fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
 /// Area of a rope's cross-section, m^2.
 pub(super) fn section(rope: &Rope) -> f64 {
     0.25 * PI * rope.diameter.si() * rope.diameter.si()
-}
-
-/// Names of link classes that would be taken for something else in the results.
-fn class_names(document: &Document, cut: &CutWeb, rows: &[RopeRow]) -> Result<(), Diagnostics> {
-    let mut found = Vec::new();
-    for (rope, row) in cut.web.ropes.iter().zip(rows) {
-        let why = match rope.class.name() {
-            "canopy" => "is kept for the members of canopies, which are no ropes",
-            "tie" => "is kept for break ties, which are no ropes",
-            "stitch" => "is kept for tear stitches, which are no ropes",
-            "tension" => "is kept for the largest tension of all ropes",
-            name if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
-            _ => continue,
-        };
-        let message = format!("line {}: the link class {:?} {why}", row.line, rope.class.name());
-        found.push(document.diagnostic("web.graph.ropes", message).with_help("choose another name"));
-    }
-    Diagnostics::fail_if_any(found)
 }
 
 /// Tension as drawn, N. A rope whose rest length is given has the tension that follows from it.

@@ -469,11 +469,6 @@ fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<Str
     })
 }
 
-/// Whether a name can stand in the header of a table and in a script.
-fn is_plain(name: &str) -> bool {
-    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || [' ', '_', '-', '.'].contains(&c))
-}
-
 /// The nodes that stay put: `[hold]` and what a graph's file says.
 fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bound]) -> Result<Vec<bool>, Diagnostics> {
     let mut held = vec![false; cut.nodes.len()];
