@@ -1,10 +1,14 @@
 //! What the schema cannot say: how the parts of a scenario must fit each other.
 
+use serde::Deserialize;
+
 use crate::air_rules;
 use crate::diagnostic::Diagnostic;
+use crate::interval::NonNegative;
 use crate::nearest::nearest;
 use crate::path::Path;
-use crate::tree::{Table, Value};
+use crate::quantity::Acceleration;
+use crate::tree::{Node, Table, Value};
 use crate::written::Written;
 
 /// Everything in `written` that does not fit the rest of it.
@@ -142,8 +146,14 @@ fn an_orbit_is_empty(written: &Written, found: &mut Vec<Diagnostic>) {
         return;
     };
     let path = Path::default().key("environment");
+    // none at all may be written, as it is where defaults are written out
+    let pulls = |gravity: Acceleration<NonNegative>| gravity.si() != 0.0;
+    let is_there = |key: &str, node: &Node| match key {
+        "gravity" => Acceleration::deserialize(node.value.to_toml()).is_ok_and(pulls),
+        _ => true,
+    };
     for (key, what) in [("air", "air"), ("wind", "wind"), ("ground", "ground"), ("gravity", "other gravity")] {
-        if environment.get(key).is_some() {
+        if environment.get(key).is_some_and(|node| is_there(key, node)) {
             let message = format!("beside an orbit there is no {what}");
             found.push(written.at_key(&path.key(key), message).with_help("leave it out, or [environment.orbit]"));
         }

@@ -174,6 +174,19 @@ fn what_is_led_by_hand_is_where_it_is_led_to() {
     assert!(knot(5).z < knot(1).z - 0.5 && knot(21).z < knot(1).z - 0.5);
 }
 
+/// D lies in the middle of a rope, which hangs in longer pieces than its segments.
+#[test]
+fn a_point_inside_a_rope_is_led_as_any_other() {
+    let text = "web.space.side = \"2.5 m\"\nrope = { diameter = \"3 mm\", density = 970, elastic_modulus = \"5 GPa\" }\n\
+                solve = { duration = 1, segment_length = \"10 mm\" }\n[stow.prescribed]\nradius = \"2.4 m\"\ngravity = 0\n\
+                drive.up = { points = [\"D\"], path = [{ time = \"0.5 s\", by = [\"0.1 m\", 0, \"0.3 m\"] }] }\n";
+    let led = Model::new(&parse(text, &[]).unwrap()).unwrap_or_else(|wrong| panic!("{wrong}"));
+    let (_, point) = led.points().into_iter().find(|(name, _)| name == "D").unwrap();
+    let flat = led.cut.nodes[point] - led.cut.web.middle;
+    // the top of the packed web lies at the muzzle: all the rest follows from below
+    assert!(led.state.position[point].distance(DVec3::new(flat.x + 0.1, flat.y, 0.0)) < 1e-12);
+}
+
 #[test]
 fn what_cannot_be_led_is_told() {
     let found = |keys: &str| told(&format!("[stow.prescribed]\n{keys}\n"));

@@ -10,6 +10,7 @@
 //! node goes on at its velocity, less damping, plus weight; then ties, plates, wall and floor move it to where it may be, in
 //! sweeps; its velocity is the way that it came. At the end what sweeps have left of stretch is drawn in.
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3};
@@ -18,7 +19,7 @@ use super::mouth::size;
 use super::plate::StiffPlate;
 use super::ties::{self, Drawn, Tie};
 use super::{Imperfection, Mouth, PackingError};
-use crate::CutWeb;
+use crate::{CutRope, CutWeb};
 
 /// A step, s.
 const STEP: f64 = 2e-3;
@@ -155,6 +156,8 @@ struct Settling<'a> {
     packing: &'a Prescribed,
     cut_web: &'a CutWeb,
     paths: Vec<Led>,
+    /// Where each rope's pieces end, counted in its nodes from 0, (ropes,).
+    ends: Vec<Vec<usize>>,
     /// Ropes in pieces, and canopies.
     ties: Vec<Tie>,
     /// Inverse of the mass of what moves by itself, 1/kg, (nodes,); 0 for what is led, follows others or is no part.
@@ -169,17 +172,19 @@ impl<'a> Settling<'a> {
     fn new(packing: &'a Prescribed, cut_web: &'a CutWeb, paths: Vec<Led>) -> Self {
         let is_web = cut_web.is_web();
         let is_within = |tie: &Tie| tie.ends.iter().all(|&end| is_web[end]);
-        let pieces = pieces(cut_web, PIECE * cut_web.web.radius());
+        let ends = piece_ends(cut_web, &paths);
+        let pieces = pieces(cut_web, &ends);
         let ties: Vec<Tie> = pieces.chain(ties::of_canopies(cut_web)).filter(is_within).collect();
         let mut ease = vec![0.0; cut_web.nodes.len()];
-        let mass = lumped(packing, cut_web);
+        let mass = lumped(packing, cut_web, &ends);
         for &end in ties.iter().flat_map(|tie| &tie.ends) {
             ease[end] = 1.0 / mass[end];
         }
         paths.iter().for_each(|led| ease[led.node] = 0.0);
         let free = (0..ease.len()).filter(|&node| ease[node] > 0.0).collect();
         let position = cut_web.nodes.iter().map(|&node| (node - cut_web.web.middle).with_z(0.0)).collect();
-        Self { packing, cut_web, paths, ties, ease, free, position, turns: vec![DMat3::IDENTITY; packing.plates.len()] }
+        let turns = vec![DMat3::IDENTITY; packing.plates.len()];
+        Self { packing, cut_web, paths, ends, ties, ease, free, position, turns }
     }
 
     /// Runs until it rests.
@@ -243,9 +248,8 @@ impl<'a> Settling<'a> {
 
     /// Lays the nodes inside pieces evenly between their ends.
     fn fill_in(&mut self) {
-        for rope in 0..self.cut_web.ropes.len() {
+        for (rope, ends) in self.ends.iter().enumerate() {
             let nodes = self.cut_web.nodes_of(rope);
-            let ends = piece_ends(self.cut_web, rope, PIECE * self.cut_web.web.radius());
             for piece in ends.windows(2) {
                 let (a, b) = (self.position[nodes[piece[0]]], self.position[nodes[piece[1]]]);
                 for place in piece[0] + 1..piece[1] {
@@ -256,34 +260,42 @@ impl<'a> Settling<'a> {
     }
 }
 
-/// The places along a rope, counted in nodes from 0, between which it is straight: pieces of about this length, m.
-fn piece_ends(cut_web: &CutWeb, rope: usize, length: f64) -> Vec<usize> {
-    let cut = &cut_web.ropes[rope];
-    let whole = cut.segments as f64 * cut.segment_length;
-    let pieces = ((whole / length).ceil().max(1.0) as usize).min(cut.segments);
-    (0..=pieces).map(|piece| piece * cut.segments / pieces).collect()
+/// The places along each rope, counted in its nodes from 0, between which it is straight: pieces of much the same length,
+/// which end wherever a node is led.
+fn piece_ends(cut_web: &CutWeb, paths: &[Led]) -> Vec<Vec<usize>> {
+    let longest = PIECE * cut_web.web.radius();
+    let mut is_led = vec![false; cut_web.nodes.len()];
+    paths.iter().for_each(|led| is_led[led.node] = true);
+    let of_rope = |cut: &CutRope| {
+        let whole = cut.segments as f64 * cut.segment_length;
+        let pieces = ((whole / longest).ceil().max(1.0) as usize).min(cut.segments);
+        let even = (0..=pieces).map(|piece| piece * cut.segments / pieces);
+        let led = cut.interior().zip(1..).filter(|(node, _)| is_led[*node]).map(|(_, place)| place);
+        let ends: BTreeSet<usize> = even.chain(led).collect();
+        ends.into_iter().collect()
+    };
+    cut_web.ropes.iter().map(of_rope).collect()
 }
 
-/// All ropes in pieces of about this length, m.
-fn pieces(cut_web: &CutWeb, length: f64) -> impl Iterator<Item = Tie> {
-    (0..cut_web.ropes.len()).flat_map(move |rope| {
+/// All ropes in pieces with these `ends`.
+fn pieces(cut_web: &CutWeb, ends: &[Vec<usize>]) -> impl Iterator<Item = Tie> {
+    ends.iter().enumerate().flat_map(|(rope, ends)| {
         let nodes = cut_web.nodes_of(rope);
         let segment = cut_web.ropes[rope].segment_length;
-        let ends = piece_ends(cut_web, rope, length);
         let tie = move |pair: &[usize]| Tie {
             ends: [nodes[pair[0]], nodes[pair[1]]],
             length: (pair[1] - pair[0]) as f64 * segment,
         };
-        ends.windows(2).map(tie).collect::<Vec<_>>()
+        ends.windows(2).map(tie)
     })
 }
 
 /// The web's mass at the ends of ties, kg, (nodes,): that inside a piece at its ends, that of a plate at its knots.
-fn lumped(packing: &Prescribed, cut_web: &CutWeb) -> Vec<f64> {
+fn lumped(packing: &Prescribed, cut_web: &CutWeb, ends: &[Vec<usize>]) -> Vec<f64> {
     let mut mass = packing.mass.clone();
-    for rope in 0..cut_web.ropes.len() {
+    for (rope, ends) in ends.iter().enumerate() {
         let nodes = cut_web.nodes_of(rope);
-        for piece in piece_ends(cut_web, rope, PIECE * cut_web.web.radius()).windows(2) {
+        for piece in ends.windows(2) {
             let inside = &nodes[piece[0] + 1..piece[1]];
             let half = 0.5 * inside.iter().map(|&node| mass[node]).sum::<f64>();
             [piece[0], piece[1]].iter().for_each(|&end| mass[nodes[end]] += half);
@@ -389,6 +401,25 @@ mod tests {
         let sag = low * (libm::cosh(0.5 / low) - 1.0);
         let found = -packed.iter().map(|place| place.z).fold(0.0, f64::min);
         assert!((found / sag - 1.0).abs() < 0.005, "{found} for {sag} m");
+    }
+
+    /// The middle of a rope is inside a piece, unless it is led.
+    #[test]
+    fn a_node_inside_a_rope_goes_where_it_is_led() {
+        let net = cut(&square(2.0, 0.5).unwrap(), &Cutting::SegmentLength(0.02)).unwrap();
+        let mut packing = prescribed(&net, 1.0, None);
+        let nodes = net.nodes_of(3);
+        let free = piece_ends(&net, &[]);
+        let led = (1..25).map(|place| nodes[place]).find(|node| !free[3].iter().any(|&end| nodes[end] == *node));
+        let led = led.expect("pieces have nodes inside");
+        let by = DVec3::new(0.0, 0.0, 0.3);
+        packing.paths = vec![Led { node: led, path: vec![(0.0, DVec3::ZERO), (0.5, by)] }];
+        let mut settling = Settling::new(&packing, &net, packing.paths.clone());
+        settling.run();
+        assert!(settling.position[led].distance(net.nodes[led] - net.web.middle + by) < 1e-12);
+        assert!(longest_stretch(&net, &settling.position) < 1e-10);
+        // and the web hangs from it
+        assert!(settling.position.iter().all(|place| place.z <= by.z));
     }
 
     #[test]
