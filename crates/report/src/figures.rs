@@ -52,6 +52,7 @@ pub(crate) fn figures(results: &Results) -> Vec<Figure> {
         class_tensions,
         point_tensions,
         canopy_tensions,
+        thread_tensions,
         postures,
         tilt,
         asymmetry,
@@ -196,8 +197,8 @@ fn travels(results: &Results) -> Option<Figure> {
 
 fn class_tensions(results: &Results) -> Option<Figure> {
     let note = "Per rope. Solid: the hardest pulled rope of the class; dotted: their mean.";
-    let is_rope = |class: &str| class != CANOPY && class != OF_ALL_ROPES;
-    tensions(results, "class-tensions", "Tension by link class", note, is_rope)
+    let chosen = |class: &str| class != OF_ALL_ROPES && class != CANOPY && is_rope(results, class);
+    tensions(results, "class-tensions", "Tension by link class", note, chosen)
 }
 
 /// Apart from the ropes: cloth is stiffer, and its members' tensions would hide theirs.
@@ -206,9 +207,22 @@ fn canopy_tensions(results: &Results) -> Option<Figure> {
     tensions(results, "canopy-tensions", "Tension in canopies", note, |class| class == CANOPY)
 }
 
+/// What is neither rope nor cloth.
+fn thread_tensions(results: &Results) -> Option<Figure> {
+    let note = "Per tie or stitch, until it lets go. Solid: the hardest pulled one; dotted: their mean.";
+    let chosen = |class: &str| class != CANOPY && !is_rope(results, class);
+    tensions(results, "thread-tensions", "Tension in ties and stitches", note, chosen)
+}
+
 /// The link class of canopy members, and the history's name for the highest tension of all ropes.
 const CANOPY: &str = "canopy";
 const OF_ALL_ROPES: &str = "tension";
+
+/// Whether a link class is one of ropes, where the folder tells.
+fn is_rope(results: &Results, class: &str) -> bool {
+    let classes = results.scene.iter().flat_map(|scene| &scene.landmarks.classes);
+    classes.filter(|known| known.name == class).all(|known| known.is_rope)
+}
 
 /// Largest and mean tension of the link classes that are `chosen`.
 fn tensions(
@@ -216,7 +230,7 @@ fn tensions(
     id: &'static str,
     title: &'static str,
     note: &'static str,
-    chosen: fn(&str) -> bool,
+    chosen: impl Fn(&str) -> bool,
 ) -> Option<Figure> {
     let time = times(results)?;
     let mut curves = Vec::new();

@@ -1,5 +1,6 @@
 //! What a report reads of a result folder.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use glam::DVec3;
@@ -23,6 +24,8 @@ pub(crate) struct Results {
 pub(crate) struct Scene {
     pub fields: Fields,
     pub landmarks: Landmarks,
+    /// The nodes of the web, ascending: all but those where a tie or stitch ends and nothing else, which stay behind.
+    pub of_web: Vec<usize>,
 }
 
 impl Results {
@@ -61,12 +64,28 @@ impl Results {
 impl Scene {
     /// None where the run recorded no fields.
     fn read(fields: &Path, landmarks: &Path) -> Result<Option<Self>, ReportError> {
-        let (scene, path) = (Self { fields: read_fields(fields)?, landmarks: Landmarks::read(landmarks)? }, landmarks);
+        let (scene, path) = (Self::new(read_fields(fields)?, Landmarks::read(landmarks)?), landmarks);
         if let Some(node) = scene.landmarks.nodes().find(|&node| node >= scene.fields.topology.nodes) {
             let (path, nodes) = (path.to_path_buf(), scene.fields.topology.nodes);
             return Err(ReportError::UnknownNode { path, node, nodes });
         }
         Ok((!scene.fields.times.is_empty()).then_some(scene))
+    }
+
+    pub(crate) fn new(fields: Fields, landmarks: Landmarks) -> Self {
+        let mut scene = Self { fields, landmarks, of_web: Vec::new() };
+        let topology = &scene.fields.topology;
+        let ropes = topology.segments.iter().enumerate().filter(|(segment, _)| scene.is_rope(*segment));
+        let ends = ropes.flat_map(|(_, ends)| ends.map(|node| node as usize));
+        let of_web: BTreeSet<usize> = ends.chain(scene.landmarks.nodes()).collect();
+        scene.of_web = of_web.into_iter().collect();
+        scene
+    }
+
+    /// Whether a segment is one of a rope.
+    pub(crate) fn is_rope(&self, segment: usize) -> bool {
+        let class = self.fields.topology.classes[segment] as usize;
+        self.landmarks.classes.get(class).is_none_or(|class| class.is_rope)
     }
 
     /// Number of frames; at least one.

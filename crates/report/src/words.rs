@@ -144,37 +144,55 @@ fn starts_open(summary: &Value) -> bool {
     summary["opening"]["effective_from_s"] == 0.0
 }
 
+/// Whether it is so from its beginning to its end.
+fn stays_open(summary: &Value) -> bool {
+    let (count, dt) = (summary["step"]["count"].as_f64(), summary["step"]["dt_s"].as_f64());
+    let end = count.zip(dt).map(|(count, dt)| count * dt);
+    let to = summary["opening"]["effective_to_s"].as_f64();
+    // half a record or so
+    starts_open(summary) && to.zip(end).is_none_or(|(to, end)| to >= 0.99 * end)
+}
+
 fn opening(summary: &Value) -> Option<String> {
     let opening = &summary["opening"];
-    if starts_open(summary) {
+    if stays_open(summary) {
         return None;
     }
     let area = opening["area_max_m2"].as_f64()?;
     let share = opening["reference_area_m2"].as_f64().filter(|reference| *reference > 0.0);
     let share = share.map(|reference| format!(" ({} of the flat web)", percent(area / reference)));
-    Some(format!("Opens to {} m²{}{}.", significant(area), share.unwrap_or_default(), at(&opening["area_max_time_s"])))
+    let opens = if starts_open(summary) { "Its largest area is" } else { "Opens to" };
+    Some(format!("{opens} {} m²{}{}.", significant(area), share.unwrap_or_default(), at(&opening["area_max_time_s"])))
 }
 
 fn effective_opening(summary: &Value) -> Option<String> {
     let opening = &summary["opening"];
     opening["area_max_m2"].as_f64()?;
     opening["reference_area_m2"].as_f64()?;
+    if stays_open(summary) {
+        return None;
+    }
     let (Some(from), Some(to)) = (opening["effective_from_s"].as_f64(), opening["effective_to_s"].as_f64()) else {
         return Some("Never reaches 80 % of the flat web.".into());
     };
-    if starts_open(summary) {
-        let end = summary["step"]["count"].as_f64()? * summary["step"]["dt_s"].as_f64()?;
-        // half a record or so: it is open to the end
-        let closes = to < 0.99 * end;
-        return closes.then(|| format!("Is open as it begins, and at least 80 % so until {}.", time(to)));
-    }
     let spell = to - from;
     let total = opening["effective_duration_s"].as_f64().unwrap_or(spell);
     // more than one spell: the longest is told, and what all of them come to
-    Some(if total > spell * 1.001 + 1e-9 {
-        format!("At least 80 % open from {} to {}, its longest spell; {} in all.", time(from), time(to), time(total))
-    } else {
-        format!("At least 80 % open from {} to {}, for {}.", time(from), time(to), time(spell))
+    let is_one_of_several = total > spell * 1.001 + 1e-9;
+    Some(match (starts_open(summary), is_one_of_several) {
+        (true, true) => {
+            format!("Is open as it begins, and at least 80 % so until {}; for {} in all.", time(to), time(total))
+        }
+        (true, false) => format!("Is open as it begins, and at least 80 % so until {}.", time(to)),
+        (false, true) => {
+            format!(
+                "At least 80 % open from {} to {}, its longest spell; {} in all.",
+                time(from),
+                time(to),
+                time(total)
+            )
+        }
+        (false, false) => format!("At least 80 % open from {} to {}, for {}.", time(from), time(to), time(spell)),
     })
 }
 
@@ -510,13 +528,17 @@ mod tests {
 
     #[test]
     fn a_web_that_is_open_as_it_begins_does_not_open() {
-        let about_opening = |to: f64| {
-            let opening =
-                json!({"area_max_m2": 15.7, "reference_area_m2": 16.0, "effective_from_s": 0.0, "effective_to_s": to});
+        let about_opening = |to: f64, total: f64| {
+            let opening = json!({"area_max_m2": 15.7, "area_max_time_s": 0.8, "reference_area_m2": 16.0,
+                                 "effective_from_s": 0.0, "effective_to_s": to, "effective_duration_s": total});
             words(&json!({"finished": true, "opening": opening, "step": {"count": 100, "dt_s": 0.01}}))
         };
-        assert_eq!(about_opening(1.0), [""; 0]);
-        assert_eq!(about_opening(0.4), ["Is open as it begins, and at least 80 % so until 0.400 s."]);
+        assert_eq!(about_opening(1.0, 1.0), [""; 0]);
+        let largest = "Its largest area is 15.7 m² (98 % of the flat web) at 0.800 s.";
+        assert_eq!(about_opening(0.4, 0.4), [largest, "Is open as it begins, and at least 80 % so until 0.400 s."]);
+        // and opens again
+        let again = "Is open as it begins, and at least 80 % so until 0.400 s; for 0.600 s in all.";
+        assert_eq!(about_opening(0.4, 0.6), [largest, again]);
     }
 
     /// Of a summary with what was made to break, and with what was not.

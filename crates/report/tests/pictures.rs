@@ -5,7 +5,7 @@ use std::path::Path;
 
 use gif::{DecodeOptions, DisposalMethod, Repeat};
 use glam::DVec3;
-use netcast_report::{ReportError, write_pictures};
+use netcast_report::{ReportError, write_pictures, write_report};
 use netcast_results::{
     BodyKind, BodyMark, BodyShape, FieldsTopology, FieldsWriter, Group, Landmark, Landmarks, LinkClass, NamedRope,
 };
@@ -74,24 +74,32 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
         "tension": {"max_n": 1500.0, "max_time_s": 0.1234, "max_where": "outline"}
     });
     write_page_numbers(folder.path(), &summary);
+    write_fields(folder.path(), widths, None);
+    landmarks().write(&folder.path().join("landmarks.json")).unwrap();
+    folder
+}
+
+/// The net at each frame; a place where the first corner is tied to.
+fn write_fields(folder: &Path, widths: &[f64], tied_to: Option<DVec3>) {
+    let tie = tied_to.map(|_| [0, 4]);
     let topology = FieldsTopology {
-        nodes: 4,
-        segments: vec![[0, 1], [1, 2], [2, 3], [3, 0]],
-        classes: vec![0; 4],
+        nodes: 4 + usize::from(tie.is_some()),
+        segments: [[0, 1], [1, 2], [2, 3], [3, 0]].into_iter().chain(tie).collect(),
+        classes: [0; 4].into_iter().chain(tie.map(|_| 1)).collect(),
         triangles: Vec::new(),
-        class_names: vec!["outline".into()],
+        class_names: vec!["outline".into(), "tie".into()],
         labels: Vec::new(),
         bodies: Vec::new(),
     };
+    let (nodes, tensions) = (topology.nodes, TENSIONS.into_iter().chain(tie.map(|_| 20.0)).collect::<Vec<f64>>());
     let mut fields = FieldsWriter::new(topology).unwrap();
     for (frame, width) in widths.iter().enumerate() {
         let corner = |x: f64, y: f64| DVec3::new(width * x, width * y, 0.1 * frame as f64);
-        let positions = [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0)];
-        fields.push(frame as f64 * 0.01, &positions, &[DVec3::ZERO; 4], &TENSIONS, &[]).unwrap();
+        let corners = [corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0)];
+        let positions: Vec<DVec3> = corners.into_iter().chain(tied_to).collect();
+        fields.push(frame as f64 * 0.01, &positions, &vec![DVec3::ZERO; nodes], &tensions, &[]).unwrap();
     }
-    fields.finish(&folder.path().join("fields.vtkhdf")).unwrap();
-    landmarks().write(&folder.path().join("landmarks.json")).unwrap();
-    folder
+    fields.finish(&folder.join("fields.vtkhdf")).unwrap();
 }
 
 /// Opens until 0.3 s and closes again.
@@ -186,6 +194,33 @@ fn a_known_net_lies_where_the_projection_says() {
     let side = |x: f64, z: f64| pixel(&png, 2.0 * (16.0 + 220.0) + px_per_m * x, middle_y - px_per_m * z);
     assert_eq!(side(1.0, 0.05), INK);
     assert_eq!(side(0.5, 0.2), WHITE);
+}
+
+/// What a tie is fastened to stays behind when the net flies on.
+#[test]
+fn ties_are_no_ropes_and_what_they_are_fastened_to_fills_no_picture() {
+    let (free, tied) = (folder("A net", &[0.2, 0.6, 1.0]), folder("A net", &[0.2, 0.6, 1.0]));
+    write_fields(tied.path(), &[0.2, 0.6, 1.0], Some(DVec3::new(30.0, 0.0, -9.0)));
+    let mut landmarks = landmarks();
+    landmarks.classes.push(LinkClass { name: "tie".into(), is_rope: false, strength: None });
+    landmarks.groups.push(Group { class: 1, rope: None });
+    landmarks.write(&tied.path().join("landmarks.json")).unwrap();
+    for folder in [&free, &tied] {
+        write_pictures(folder.path()).unwrap();
+    }
+    for name in names_in(&free.path().join("pictures")) {
+        assert_eq!(picture(&free, &name), picture(&tied, &name), "{name}");
+    }
+
+    fs::write(tied.path().join("history.csv"), "time_s,outline_max_n,tie_max_n\n0,5,9\n1,6,\n").unwrap();
+    let page = fs::read_to_string(write_report(tied.path()).unwrap()).unwrap();
+    let (_, figures) = page.split_once("id=\"figure-data\">").unwrap();
+    let figures: Value = serde_json::from_str(figures.split_once("</script>").unwrap().0).unwrap();
+    let names = |id: &str| {
+        let figure = figures.as_array().unwrap().iter().find(|figure| figure["id"] == id).unwrap();
+        figure["curves"].as_array().unwrap().iter().map(|curve| curve["name"].clone()).collect::<Vec<Value>>()
+    };
+    assert_eq!((names("class-tensions"), names("thread-tensions")), (vec![json!("outline")], vec![json!("tie")]));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! How long the web hangs in the air, the spell about its apex; how far it drifts, and when it comes down.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::spell::Spells;
@@ -57,13 +57,16 @@ impl FlightMeasures {
 
     /// The drift, and what happens after the time `apex`, s.
     fn landing(&self, apex: f64) -> Flight {
-        let [(_, start, _), .., (_, end, lies)] = self.places[..] else { return Flight::default() };
-        let touch = self.places.iter().find(|(time, _, touches)| *time > apex && *touches);
+        let [(_, start, _), .., (last, end, lies)] = self.places[..] else { return Flight::default() };
+        // what lies there from the start is not pressed into the ground yet at the first record
+        let mut flying = self.places.iter().skip(1).skip_while(|(.., touches)| *touches);
+        let touch = flying.find(|(time, _, touches)| *time > apex && *touches);
         let moves = self.places.iter().rposition(|(_, place, _)| place.distance(end) > STILL);
-        let still = moves.and_then(|last| self.places.get(last + 1)).filter(|_| lies);
+        let still = self.places.get(moves.map_or(0, |last| last + 1)).filter(|(time, ..)| lies && *time < last);
+        let drift = (end - start).truncate();
         Flight {
-            drift_m: Some((end - start).truncate().length()),
-            drift_azimuth_rad: (end != start).then(|| libm::atan2(end.y - start.y, end.x - start.x)),
+            drift_m: Some(drift.length()),
+            drift_azimuth_rad: (drift != DVec2::ZERO).then(|| libm::atan2(drift.y, drift.x)),
             touches_down_s: touch.map(|(time, ..)| *time),
             lies_from_s: still.map(|(time, ..)| *time),
             ..Flight::default()
@@ -107,15 +110,43 @@ mod tests {
         assert_eq!((flight.drift_m, flight.drift_azimuth_rad), (Some(6.0), Some(std::f64::consts::FRAC_PI_2)));
     }
 
+    /// What is followed at a record a second.
+    fn followed(records: impl IntoIterator<Item = (DVec3, bool)>) -> Flight {
+        let mut flight = FlightMeasures::default();
+        (0..).zip(records).for_each(|(time, (place, touches))| flight.add(f64::from(time), place, touches));
+        flight.finish()
+    }
+
+    #[test]
+    fn what_lies_on_the_ground_from_the_start_never_comes_down() {
+        // settles by less than 5 cm; the first record is from before it is pressed into the ground
+        let lying = followed((0..5).map(|second| (DVec3::X - 1e-3 * f64::from(second) * DVec3::Z, second > 0)));
+        assert_eq!((lying.touches_down_s, lying.lies_from_s), (None, Some(0.0)));
+        let hanging = followed([(DVec3::ZERO, false); 5]);
+        assert_eq!((hanging.touches_down_s, hanging.lies_from_s), (None, None));
+        // dropped, it bounces once
+        let heights = [(4.0, false), (3.0, false), (0.0, true), (0.5, false), (0.0, true), (0.0, true)];
+        let dropped = followed(heights.map(|(height, touches)| (height * DVec3::Z, touches)));
+        assert_eq!((dropped.touches_down_s, dropped.lies_from_s), (Some(2.0), Some(4.0)));
+        // on the ground at the last record, and not yet at rest
+        assert_eq!(followed(heights[..3].iter().map(|&(z, touches)| (z * DVec3::Z, touches))).lies_from_s, None);
+    }
+
+    #[test]
+    fn what_only_rises_or_falls_drifts_in_no_direction() {
+        let drift = |to: DVec3| {
+            let flight = followed([(DVec3::ZERO, false), (to, false)]);
+            (flight.drift_m, flight.drift_azimuth_rad)
+        };
+        assert_eq!(drift(3.0 * DVec3::Z), (Some(0.0), None));
+        assert_eq!(drift(DVec3::new(-2.0, 0.0, 3.0)), (Some(2.0), Some(std::f64::consts::PI)));
+    }
+
     #[test]
     fn what_only_falls_has_no_apex_and_what_only_rises_is_still_up() {
-        let followed = |sign: f64| {
-            let mut flight = FlightMeasures::default();
-            (0..10).for_each(|step| flight.add(step as f64, sign * step as f64 * DVec3::Z, false));
-            flight.finish()
-        };
-        assert_eq!(followed(-1.0).apex_height_m, None);
-        assert_eq!(followed(1.0).still_up, Some(true));
+        let along = |sign: f64| followed((0..10).map(|step| (sign * f64::from(step) * DVec3::Z, false)));
+        assert_eq!(along(-1.0).apex_height_m, None);
+        assert_eq!(along(1.0).still_up, Some(true));
         assert_eq!(FlightMeasures::default().finish(), Flight::default());
     }
 }

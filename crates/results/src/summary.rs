@@ -229,11 +229,11 @@ pub struct Flight {
     pub still_up: Option<bool>,
     /// How far the centre of mass is from where it started, over the ground, at the last record, m.
     pub drift_m: Option<f64>,
-    /// In which direction, anticlockwise from x, rad.
+    /// In which direction, anticlockwise from x, rad; none where it does not drift.
     pub drift_azimuth_rad: Option<f64>,
-    /// The first record after the apex at which anything touches the ground, s; none without a ground.
+    /// The first record after the apex at which anything touches the ground that had left it, s; none without a ground.
     pub touches_down_s: Option<f64>,
-    /// From when on it stays within 5 cm of where it ends, on the ground, s.
+    /// From which record on it stays within 5 cm of where it ends, on the ground, s.
     pub lies_from_s: Option<f64>,
 }
 

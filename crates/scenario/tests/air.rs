@@ -6,7 +6,7 @@ use glam::DVec3;
 use netcast_dynamics::air::Attitude;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_scenario::diagnostic::Source;
-use netcast_scenario::lower::Model;
+use netcast_scenario::lower::{Fall, Model};
 use netcast_scenario::{Diagnostics, Document, resolved_toml};
 
 const NET: &str = r#"
@@ -265,13 +265,17 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
     let net = model(NET, "environment.air = { normal_coefficient = 1.1 }");
     // m g / (1/2 rho C d L): a section of 4 mm and 1140 kg/m^3
     let expected = (1140.0 * PI / 4.0 * 4e-3 * 9.80665 / (0.5 * 1.225 * 1.1)).sqrt();
-    assert!((net.terminal_speed().unwrap() / expected - 1.0).abs() < 1e-9, "{expected}");
+    let Some(Fall::At(speed)) = net.fall() else { panic!("it does not fall") };
+    assert!((speed / expected - 1.0).abs() < 1e-9, "{speed} and {expected}");
     let ropes = net.ropes_in_air();
     assert!(ropes.len() == 1 && (ropes[0].area - 20.0 * 4e-3).abs() < 1e-12 && ropes[0].normal == 1.1);
     // less dense than water
     let afloat = NET.replace("1140", "970");
     let afloat = model(&afloat, "environment.air = { density = 1000, viscosity = \"1 mPa s\" }");
-    assert_eq!(afloat.terminal_speed(), None);
+    assert_eq!(afloat.fall(), Some(Fall::Floats));
+    let smooth = model(NET, "environment.air = { normal_coefficient = 0 }");
+    assert_eq!(smooth.fall(), Some(Fall::Unhindered));
+    assert_eq!(model(NET, "").fall(), None);
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! `netcast check`
 
 mod air;
+mod ground;
+mod orbit;
 
 use std::time::{Duration, Instant};
 
@@ -52,6 +54,8 @@ pub fn run(arguments: &Arguments) -> Ended {
     bodies(&model);
     launch(&model);
     ties(&model);
+    orbit::orbit(&model);
+    ground::ground(&model);
     air::air(&model);
     audit(&model);
     acting(&model);

@@ -7,6 +7,35 @@ use crate::workbench::{SMALL_NET, Workbench};
 const KINDS: [&str; 9] =
     ["space", "traditional", "topological", "square", "polygon", "radial", "diamond", "graph", "held"];
 
+/// What `check` says in the row `name`, with `more` in the scenario.
+fn row(workbench: &Workbench, name: &str, more: &[&str]) -> String {
+    let sets = more.iter().flat_map(|more| ["--set", more]);
+    let said = workbench.succeed(&["check", "net.toml"].into_iter().chain(sets).collect::<Vec<&str>>()).stdout;
+    let row = said.lines().find_map(|line| line.trim_start().strip_prefix(name));
+    row.unwrap_or_else(|| panic!("{name}: {said}")).trim().to_owned()
+}
+
+#[test]
+fn check_says_what_a_net_is_thrown_in() {
+    let workbench = Workbench::with_net();
+    let ground = ["environment.ground={height=\"-1.5 m\", friction=0.3, contact_time=\"2 ms\"}"];
+    let row_of = |name: &str| row(&workbench, name, &ground);
+    assert_eq!(row_of("height"), "1.500 m below the muzzle");
+    assert_eq!([row_of("friction"), row_of("restitution")], ["0.300", "0.200"]);
+    // 20 m/s times 2 ms over pi
+    assert_eq!(row_of("20 m/s sinks in by"), "12.7 mm at most");
+    assert!(row_of("touched by").ends_with(" nodes"), "{}", row_of("touched by"));
+    // 2 pi sqrt((6378.137 km + 400 km)^3 / GM)
+    let orbit = ["environment.orbit.altitude=400 km"];
+    assert_eq!(row(&workbench, "mean motion", &orbit), "0.0011314 rad/s");
+    assert!(row(&workbench, "period", &orbit).ends_with(", 92.56 min"), "{}", row(&workbench, "period", &orbit));
+
+    let fall = |air: &str| row(&workbench, "the web falls", &[air]);
+    assert!(fall("environment.air={}").ends_with("m/s at last, flat and without tractors"));
+    assert_eq!(fall("environment.air.normal_coefficient=0"), "ever faster: nothing of it drags");
+    assert_eq!(fall("environment.air={density=2000, viscosity=\"1 mPa s\"}"), "not: it floats");
+}
+
 #[test]
 fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
     let workbench = Workbench::with_net();

@@ -3,7 +3,6 @@
 use serde_json::Value;
 
 use super::colour::SLACK_BELOW;
-use super::strands::is_rope;
 use crate::results::{Results, Scene};
 
 /// A frame and what it shows.
@@ -64,7 +63,7 @@ pub(crate) fn tensions(results: &Results, scene: &Scene, count: usize) -> Vec<Mo
 /// The highest tension of any rope in a frame, N; 0 where all are slack.
 pub(crate) fn highest_tension(scene: &Scene, frame: usize) -> f64 {
     let tensions = scene.fields.tensions(frame).iter().enumerate();
-    let of_ropes = tensions.filter(|(segment, _)| is_rope(scene, *segment)).map(|(_, &tension)| tension);
+    let of_ropes = tensions.filter(|(segment, _)| scene.is_rope(*segment)).map(|(_, &tension)| tension);
     of_ropes.filter(|&tension| tension >= SLACK_BELOW).fold(0.0, f64::max)
 }
 

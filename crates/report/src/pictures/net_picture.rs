@@ -184,10 +184,10 @@ pub(crate) fn open_share(scene: &Scene, frame: usize) -> Option<f64> {
     Some(area / scene.landmarks.reference_area?)
 }
 
-/// The corners of the rectangle that a frame fills, m in the camera's plane: least and largest coordinates.
+/// The corners of the rectangle that the web fills in a frame, m in the camera's plane: least and largest coordinates.
 pub(crate) fn extent(scene: &Scene, frame: usize, camera: &Camera) -> (DVec2, DVec2) {
     let positions = scene.fields.positions(frame);
-    let nodes = positions.iter().map(|&point| (camera.project(point), 0.0));
+    let nodes = scene.of_web.iter().map(|&node| (camera.project(positions[node]), 0.0));
     let bodies = scene.landmarks.bodies.iter().map(|body| (camera.project(positions[body.node]), body_radius(body)));
     nodes.chain(bodies).fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(least, most), (point, radius)| {
         (least.min(point - radius), most.max(point + radius))

@@ -36,8 +36,7 @@ impl Strands {
     /// The ropes of a scene; members of canopies are none.
     pub fn new(scene: &Scene) -> Self {
         let topology = &scene.fields.topology;
-        let is_rope = |segment: &usize| is_rope(scene, *segment);
-        let ropes: Vec<usize> = (0..topology.segments.len()).filter(is_rope).collect();
+        let ropes: Vec<usize> = (0..topology.segments.len()).filter(|segment| scene.is_rope(*segment)).collect();
         let stride = ropes.len().div_ceil(MOST_SEGMENTS).max(1);
         let meeting = Meeting::new(scene, &ropes);
 
@@ -112,12 +111,6 @@ impl Strands {
         }
         pens.map(|pen| pen.path)
     }
-}
-
-/// Whether a segment is one of a rope.
-pub(crate) fn is_rope(scene: &Scene, segment: usize) -> bool {
-    let class = scene.fields.topology.classes[segment] as usize;
-    scene.landmarks.classes.get(class).is_none_or(|class| class.is_rope)
 }
 
 /// The segments that meet at each node.
@@ -219,7 +212,7 @@ mod tests {
             "points": [], "bottom": [], "classes": [], "ropes": [], "groups": [], "canopies": [], "bodies": []
         }))
         .unwrap();
-        Scene { fields: read_fields(&path).unwrap(), landmarks }
+        Scene::new(read_fields(&path).unwrap(), landmarks)
     }
 
     fn links(strands: &Strands) -> usize {

@@ -67,6 +67,7 @@ async function decode(element) {
     points: told.points,
     canopies: told.canopies,
     bodies: told.bodies,
+    aside: told.aside,
     ends: new Uint32Array(buffer.slice(at, at + 8 * segments)),
     positions: [],
     tensions: [],
@@ -102,35 +103,46 @@ async function decode(element) {
   return data;
 }
 
-/** Adds what the camera needs: the middle of web and tractors in each frame; how far the net reaches about it, m. */
+/**
+ * Adds what the camera needs: the middle of web and tractors in each frame, m; how far the net reaches about it, m; the
+ * box that muzzle and middles are in, m. Nodes that lie aside, where only a tie ends, count for nothing.
+ */
 async function survey(data, pause) {
   const { frames, nodes, origin, step } = data;
   data.middles = new Float64Array(3 * frames);
   data.tractorMiddles = new Float64Array(3 * frames);
   data.across = data.up = 0;
   data.travel = [0, 0];
-  const tractors = data.tractors.length > 0 ? data.tractors : Array.from({ length: nodes }, (_, node) => node);
+  [data.low, data.high] = [[0, 0, 0], [0, 0, 0]];
+  const aside = new Set(data.aside);
+  const web = Uint32Array.from({ length: nodes }, (_, node) => node).filter((node) => !aside.has(node));
+  const tractors = data.tractors.length > 0 ? data.tractors : web;
   for (let frame = 0; frame < frames; frame++) {
     const places = data.positions[frame];
     const low = [65535, 65535, 65535],
       high = [0, 0, 0];
-    for (let place = 0; place < 3 * nodes; place++) {
-      const axis = place % 3,
-        value = places[place];
-      if (value < low[axis]) low[axis] = value;
-      if (value > high[axis]) high[axis] = value;
+    for (const node of web) {
+      for (let axis = 0; axis < 3; axis++) {
+        const value = places[3 * node + axis];
+        if (value < low[axis]) low[axis] = value;
+        if (value > high[axis]) high[axis] = value;
+      }
     }
     let along = 0;
     const middle = low.map((value, axis) => (value + high[axis]) / 2);
     for (let axis = 0; axis < 3; axis++) {
-      data.middles[3 * frame + axis] = origin[axis] + step * middle[axis];
+      const at = origin[axis] + step * middle[axis];
+      data.middles[3 * frame + axis] = at;
+      data.low[axis] = Math.min(data.low[axis], at);
+      data.high[axis] = Math.max(data.high[axis], at);
       let sum = 0;
       for (const node of tractors) sum += places[3 * node + axis];
       data.tractorMiddles[3 * frame + axis] = origin[axis] + (step * sum) / tractors.length;
-      along += data.middles[3 * frame + axis] * data.axis[axis];
+      along += at * data.axis[axis];
     }
-    for (let place = 0; place < 3 * nodes; place += 3) {
-      const [x, y, z] = [places[place] - middle[0], places[place + 1] - middle[1], places[place + 2] - middle[2]];
+    for (const node of web) {
+      const at = 3 * node;
+      const [x, y, z] = [places[at] - middle[0], places[at + 1] - middle[1], places[at + 2] - middle[2]];
       data.across = Math.max(data.across, step * Math.sqrt(x * x + y * y));
       data.up = Math.max(data.up, step * Math.abs(z));
     }

@@ -286,6 +286,16 @@ mod tests {
     }
 
     #[test]
+    fn what_only_threads_meet_lies_aside() {
+        let Scene { fields, mut landmarks, .. } = scene();
+        landmarks.classes[1].is_rope = false;
+        let told = unpacked(&replay(&Scene::new(fields, landmarks), "run", BUDGET_BYTES)).told;
+        // ropes as far as node 300; of what lies beyond, the outline and the tractor have a meaning
+        let aside: Vec<usize> = (301..SEGMENTS).filter(|&node| node != 400).collect();
+        assert_eq!(told["aside"], serde_json::json!(aside));
+    }
+
+    #[test]
     fn a_small_budget_takes_frames_but_not_the_largest_tension() {
         let whole = replay(&scene(), "run", BUDGET_BYTES).element.len();
         let replay = replay(&scene(), "run", 2 * whole / 5);

@@ -156,13 +156,8 @@ struct Tensions {
 impl Tensions {
     /// The scale of what the ropes bear; members of canopies, which are none, may go beyond it.
     fn of(scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Self {
-        let classes = &scene.landmarks.classes;
-        let ropes: Vec<usize> = drawn
-            .segments
-            .iter()
-            .filter(|segment| classes.get(segment.class as usize).is_none_or(|class| class.is_rope))
-            .flat_map(|segment| segment.parts.iter().copied())
-            .collect();
+        let parts = drawn.segments.iter().flat_map(|segment| segment.parts.iter().copied());
+        let ropes: Vec<usize> = parts.filter(|part| scene.is_rope(*part)).collect();
         let borne = |&frame: &usize| ropes.iter().map(move |&segment| scene.fields.tensions(frame)[segment]);
         let mut taut: Vec<f64> = frames.iter().flat_map(borne).filter(|&tension| tension > 0.0).collect();
         let place = (taut.len() as f64 * LINEAR_SCALE_SHARE) as usize;
@@ -202,6 +197,8 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
     let named = ["corner", "centre"];
     let classes = landmarks.classes.iter().map(|class| json!({"name": class.name, "is_rope": class.is_rope}));
     let classes: Vec<Value> = classes.collect();
+    let is_aside = |node: &&usize| scene.of_web.binary_search(node).is_err();
+    let aside: Vec<usize> = drawn.nodes.iter().filter(is_aside).map(place).collect();
     json!({
         "frames": frames.len(),
         "nodes": drawn.nodes.len(),
@@ -213,6 +210,7 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "tension_decades": TENSION_DECADES,
         "tension_linear_top_n": tensions.linear_top,
         "classes": classes,
+        "aside": aside,
         "axis": landmarks.axis.to_array(),
         "ground_m": landmarks.ground,
         "areas_m2": frames.iter().map(|&frame| area(scene, frame)).collect::<Vec<_>>(),

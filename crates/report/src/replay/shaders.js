@@ -100,10 +100,10 @@ void main() {
 }`,
     `${HEAD}
 in vec3 vPlace; in float vStrength; in float vFades; out vec4 colour;
-uniform vec4 uColour; uniform float uFadeEnd;
+uniform vec4 uColour; uniform vec3 uSeen; uniform float uSight;
 ${COVERAGE}
 void main() {
-  float fade = vFades > 0.5 ? 1.0 - smoothstep(0.35 * uFadeEnd, uFadeEnd, length(vPlace)) : 1.0;
+  float fade = vFades > 0.5 ? 1.0 - smoothstep(0.35 * uSight, uSight, distance(vPlace, uSeen)) : 1.0;
   float alpha = uColour.a * vStrength * fade * coverage();
   if (alpha < 0.01) discard;
   colour = vec4(uColour.rgb * alpha, alpha);

@@ -207,26 +207,42 @@ class View {
     return made;
   }
 
+  /**
+   * Where the grid lies: a point and two directions, how far it spans along each and how far one sees on it, m. It is the
+   * ground below all that the web flies over, where there is ground; else the muzzle's plane.
+   */
+  floor() {
+    const { data } = this;
+    if (data.ground === null) {
+      const [one, other] = this.axes();
+      const sight = 1.4 * data.reach;
+      return { level: [0, 0, 0], flat: [one, other], spans: [0, 1].map(() => [-sight, sight]), sight };
+    }
+    const sight = 1.4 * Math.max(data.reach, data.high[2] - data.ground);
+    const spans = [0, 1].map((axis) => [data.low[axis] - sight, data.high[axis] + sight]);
+    return { level: [0, 0, data.ground], flat: [[1, 0, 0], [0, 1, 0]], spans, sight };
+  }
+
   /** The vertices of grid and launch axis with its marks: from, to, strength and whether it fades. */
   scenery() {
     const { data } = this;
     const [one, other, axis] = this.axes();
-    // the ground, where there is one; else the muzzle's plane
-    const [level, flat] = data.ground === null ? [[0, 0, 0], [one, other]] : [[0, 0, data.ground], [[1, 0, 0], [0, 1, 0]]];
-    this.grid = niceStep(2 * data.reach, 12);
-    const count = Math.ceil((1.4 * data.reach) / this.grid);
-    this.gridEnd = count * this.grid;
+    const { level, flat, spans, sight } = this.floor();
+    this.sight = sight;
+    const widest = Math.max(...spans.map(([from, to]) => to - from));
+    const grid = Math.max(niceStep(2 * data.reach, 12), niceStep(widest, 60));
+    const cells = spans.map(([from, to]) => [Math.floor(from / grid), Math.ceil(to / grid)]);
     const lines = [];
     const line = (from, to, strength, fades) => {
       for (let vertex = 0; vertex < 6; vertex++) lines.push(...from, ...to, strength, fades);
     };
-    for (let place = -count; place <= count; place++) {
-      for (const [along, across] of [flat, [flat[1], flat[0]]]) {
+    for (const along of [0, 1]) {
+      const [[first, last], [start, end]] = [cells[1 - along], cells[along]];
+      for (let place = first; place <= last; place++) {
+        const aside = add(level, scaled(flat[1 - along], place * grid));
+        const at = (step) => add(aside, scaled(flat[along], step * grid));
         // in pieces, so that each fades by where it is
-        for (let piece = -count; piece < count; piece++) {
-          const at = (step) => add(level, add(scaled(across, place * this.grid), scaled(along, step * this.grid)));
-          line(at(piece), at(piece + 1), place === 0 ? 1 : 0.6, 1);
-        }
+        for (let piece = start; piece < end; piece++) line(at(piece), at(piece + 1), place === 0 ? 1 : 0.6, 1);
       }
     }
     const [low, high] = this.axisEnds;
@@ -286,7 +302,10 @@ class View {
     const followed = { web: this.data.middles, tractors: this.data.tractorMiddles }[look.follow];
     const target = followed ? [0, 1, 2].map((axis) => this.atMoment(followed, 3, axis)) : look.stay;
     const matrix = look.camera.matrix(target, width, height);
-    const scene = { matrix, ratio, size: [wide, high], look };
+    // the ground is seen below what is looked at, the muzzle's plane about the muzzle
+    const [x, y] = add(target, look.camera.pan);
+    const seen = this.data.ground === null ? [0, 0, 0] : [x, y, this.data.ground];
+    const scene = { matrix, ratio, size: [wide, high], look, seen };
     gl.viewport(0, 0, wide, high);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -393,7 +412,8 @@ class View {
     const { gl } = this;
     const uniforms = this.use("lines", scene);
     gl.uniform4fv(uniforms.uColour, scene.look.colours.scenery);
-    gl.uniform1f(uniforms.uFadeEnd, this.gridEnd);
+    gl.uniform3fv(uniforms.uSeen, scene.seen);
+    gl.uniform1f(uniforms.uSight, this.sight);
     gl.uniform1f(uniforms.uWidth, scene.ratio);
     gl.bindVertexArray(this.lines);
     gl.drawArrays(gl.TRIANGLES, 0, this.lineVertices);

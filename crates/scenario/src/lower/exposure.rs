@@ -23,6 +23,17 @@ pub struct RopesInAir {
     pub normal: f64,
 }
 
+/// How a web falls through the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fall {
+    /// At this speed at last, m/s.
+    At(f64),
+    /// Not: it is no heavier than what it displaces.
+    Floats,
+    /// Ever faster: nothing of it drags.
+    Unhindered,
+}
+
 /// A damped fall that has this many times its own time is long.
 const LONG: f64 = 10.0;
 /// Bisections of a speed: more than a double can tell.
@@ -45,11 +56,13 @@ impl Model {
         found
     }
 
-    /// The speed at which the web falls, flat and level, without tractors and their ropes, m/s; none where it is not heavier
-    /// than what it displaces.
-    pub fn terminal_speed(&self) -> Option<f64> {
+    /// How the web falls, flat and level, without tractors and their ropes; none where there is no air.
+    pub fn fall(&self) -> Option<Fall> {
         let (air, outline) = (self.system.environment().air.as_ref()?, self.air.as_ref()?);
         let weight = self.bill.web_mass() * self.scenario.environment.gravity.si() - outline.web_buoyancy;
+        if weight <= 0.0 {
+            return Some(Fall::Floats);
+        }
         let ropes: Vec<_> =
             self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
         let sheets: f64 = air.sheets.iter().map(|sheet| sheet.coefficient * sheet.area).sum();
@@ -62,14 +75,14 @@ impl Model {
         while drag(fast) < weight {
             fast *= 2.0;
             if fast > 1e6 {
-                return None;
+                return Some(Fall::Unhindered);
             }
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (slow + fast);
             if drag(middle) < weight { slow = middle } else { fast = middle }
         }
-        (weight > 0.0).then_some(fast)
+        Some(Fall::At(fast))
     }
 
     /// Each group of ropes with its diameter times its length, m^2, and its drag.

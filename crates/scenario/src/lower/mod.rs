@@ -51,7 +51,7 @@ mod wind;
 
 pub use air::AirOutline;
 pub use canopies::CutSheet;
-pub use exposure::RopesInAir;
+pub use exposure::{Fall, RopesInAir};
 pub use launch::{Throw, Thrown};
 pub use material::{Group, Link, PlacedBody, Role};
 pub use packing::Packing;

@@ -3,7 +3,7 @@
 use netcast::Model;
 use netcast::dynamics::air::Air;
 use netcast::dynamics::forces::body_drag::Shape;
-use netcast::scenario::lower::{AirOutline, RopesInAir};
+use netcast::scenario::lower::{AirOutline, Fall, RopesInAir};
 
 use crate::screen::{number, rows, say};
 
@@ -35,14 +35,18 @@ pub fn air(model: &Model) {
     if outline.buoyancy > 0.0 {
         lines.push(("buoyancy".into(), format!("{} N, among the loads", number(outline.buoyancy, 4))));
     }
-    let falls = match model.terminal_speed() {
-        Some(speed) => format!("{} m/s at last, flat and without tractors", number(speed, 4)),
-        None => "not: it floats".into(),
-    };
-    if model.scenario.environment.gravity.si() > 0.0 {
-        lines.push(("the web falls".into(), falls));
+    if let Some(fall) = model.fall().filter(|_| model.scenario.environment.gravity.si() > 0.0) {
+        lines.push(("the web falls".into(), in_words(fall)));
     }
     rows(&lines);
+}
+
+fn in_words(fall: Fall) -> String {
+    match fall {
+        Fall::At(speed) => format!("{} m/s at last, flat and without tractors", number(speed, 4)),
+        Fall::Floats => "not: it floats".into(),
+        Fall::Unhindered => "ever faster: nothing of it drags".into(),
+    }
 }
 
 fn medium(model: &Model, air: &Air) -> String {
