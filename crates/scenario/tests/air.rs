@@ -144,6 +144,31 @@ fn a_body_larger_than_its_canopy_drags_as_that_is_turned() {
 }
 
 #[test]
+fn a_particle_is_hidden_as_what_it_is_to_the_air() {
+    let particles = |diameter: &str| {
+        let net = model(
+            &SPACE.replace("payload.cylinder = {}", &format!("payload.particle = {{ mass = 0.2{diameter} }}")),
+            "canopy.links.side = \"0.14 m\"\n[environment.air]",
+        );
+        let outline = net.air.as_ref().unwrap();
+        let told = net.notes.iter().any(|note| note.contains("no size"));
+        let payloads = net.bill.payloads;
+        (
+            (outline.hidden, outline.sizeless),
+            net.system.environment().air.as_ref().unwrap().bodies.len(),
+            told,
+            payloads,
+        )
+    };
+    let (without, drags, told, payloads) = particles("");
+    assert_eq!((without, drags, told), ((payloads, 0), 6, false));
+    // the canopy reaches 0.121 m at least
+    assert_eq!(particles(", diameter = 0.24").0, (payloads, 0));
+    let (large, drags, ..) = particles(", diameter = 0.25");
+    assert_eq!((large, drags), ((0, 0), 6 + payloads));
+}
+
+#[test]
 fn a_tractor_drags_the_way_it_flies() {
     let launch = "[environment.air]\n[launch]\naxial_speed = \"30 m/s\"\nradial_speed = \"40 m/s\"";
     for (more, along) in [("", [0.8, 0.6]), ("\nattitude = \"axis\"", [0.0, 1.0])] {
