@@ -277,6 +277,8 @@ fn what_may_not_be_expected_is_said() {
     assert!(damped("[environment.air]").contains("comes on top of the drag of the air"));
     assert!(damped("[environment.air]\n[environment.wind]\nspeed = 3").contains("acts against the world"));
     assert!(damped("").contains("nothing fall faster than 1.182 m/s"), "{}", damped(""));
+    assert!(!damped("hold.corners = true").contains("nothing fall"), "what is held does not fall");
+    assert!(damped("break_ties = [{ corners = true, breaking_load = 50 }]").contains("nothing fall"));
     assert!(!notes("environment.damping = \"2 1/s\"").contains("fall"));
     assert!(notes("tractor.particle.mass = 1\n[environment.air]").contains("4 particles have no size"));
     let still = "stow.scale.factor = 0.9\nenvironment.gravity = 0\n[environment.air]\n";
@@ -294,6 +296,16 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
     assert!((net.terminal_speed().unwrap() / expected - 1.0).abs() < 1e-9, "{expected}");
     let ropes = net.ropes_in_air();
     assert!(ropes.len() == 1 && (ropes[0].area - 20.0 * 4e-3).abs() < 1e-12 && ropes[0].normal == 1.1);
+    // with payloads larger than their canopies, which drag and weigh: boxes, from below
+    let payloads = "payload.box = { width = 0.5, depth = 0.4, height = 0.3, mass = 1.5 }";
+    let text = SPACE.replace("payload.cylinder = {}", payloads);
+    let air = "canopy.links = { side = \"0.14 m\" }\nenvironment.air = { normal_coefficient = 1.1 }";
+    let net = model(&text, air);
+    let (count, canopies) = (net.bill.payloads as f64, net.bill.canopies as f64);
+    let ropes = net.bill.web_rope_mass / (1440.0 * PI / 4.0 * 3e-3);
+    let area = 1.1 * ropes + 1.17 * canopies * 1.5 * 3f64.sqrt() * 0.14 * 0.14 + 1.07 * count * 0.5 * 0.4;
+    let expected = (net.bill.web_mass() * 9.80665 / (0.5 * 1.225 * area)).sqrt();
+    assert!((net.terminal_speed().unwrap() / expected - 1.0).abs() < 1e-9, "{expected}");
     // less dense than water
     let afloat = NET.replace("1140", "970");
     let afloat = model(&afloat, "environment.air = { density = 1000, viscosity = \"1 mPa s\" }");
