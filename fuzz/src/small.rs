@@ -2,16 +2,19 @@
 
 use netcast_scenario::Document;
 use netcast_scenario::canopy::Canopy;
+use netcast_scenario::stow::Stow;
 use netcast_scenario::web::Web;
 
 /// Most cells along a side, and most segments along the web's size.
 const MOST_CELLS: f64 = 12.0;
 const MOST_SEGMENTS: f64 = 100.0;
 const MOST_PARALLEL: u32 = 4;
+/// The longest packing by prescribed motion, s: 50 steps.
+const LONGEST_PACKING: f64 = 0.1;
 /// The longest turbulence, s.
 const LONGEST_TURBULENCE: f64 = 0.1;
 
-/// Whether drawing and cutting its web and tabulating its wind takes milliseconds.
+/// Whether drawing and cutting its web, packing it and tabulating its wind takes milliseconds.
 pub fn is_small(document: &Document) -> bool {
     let scenario = &document.scenario;
     let (size, cells, per_cell) = match &scenario.web {
@@ -49,11 +52,21 @@ pub fn is_small(document: &Document) -> bool {
         scenario.traction_rope.as_ref().map_or((0.0, 1), |ropes| (ropes.length.si(), ropes.count.get()));
     // left out, it is a share of the web's size
     let segment_length = scenario.solve.segment_length.map_or(size / 10.0, |length| length.si());
+    let is_packed_soon = match scenario.stow.as_ref().map(|stowage| &stowage.pattern) {
+        Some(Stow::Prescribed(led)) => {
+            let listed = led.drive.values().flat_map(|drive| drive.path.iter().flatten());
+            let rows = document.stow_paths.values().flatten().map(|row| row.time_s);
+            let times = listed.map(|point| point.time.si()).chain(rows);
+            times.fold(led.time.si().max(led.longest.si()), f64::max) <= LONGEST_PACKING
+        }
+        _ => true,
+    };
     let turbulence = scenario.environment.wind.as_ref().and_then(|wind| wind.turbulence.as_ref());
     let duration = scenario.solve.run_time().unwrap_or(0.0);
     cells <= MOST_CELLS
         && f64::from(per_cell) <= MOST_SEGMENTS
         && size.max(traction) <= MOST_SEGMENTS * segment_length
+        && is_packed_soon
         && parallel <= MOST_PARALLEL
         && !turbulence.is_some_and(|_| duration > LONGEST_TURBULENCE)
 }

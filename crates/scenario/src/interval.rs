@@ -106,6 +106,8 @@ intervals! {
     Fraction: Bound::Included(0.0), Bound::Excluded(1.0);
     /// Restitution that a spring and damper in parallel can have: 0.14 to 1.
     Rebound: Bound::Included(0.14), Bound::Included(1.0);
+    /// How long a packing may take to come to rest, s: more than 0, at most 1000.
+    PackingTime: Bound::Excluded(0.0), Bound::Included(1000.0);
     /// What ropes may take of the area of a net screen: 0 to 0.7.
     OpenShare: Bound::Included(0.0), Bound::Included(0.7);
     /// Heights above the sea in which the standard atmosphere cools evenly: -1 km to 11 km.

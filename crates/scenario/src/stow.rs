@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::drive::Drive;
 use crate::environment::STANDARD_GRAVITY;
-use crate::interval::{BelowOne, Fraction, NonNegative, Positive, UpToOne, WholeTurn};
+use crate::interval::{BelowOne, Fraction, NonNegative, PackingTime, Positive, UpToOne, WholeTurn};
 use crate::quantity::{Acceleration, Angle, Length, Number, Rate, Time};
 
 /// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
@@ -193,13 +193,13 @@ pub struct PrescribedStow {
     pub radius: Length<Positive>,
     /// How far the container's floor lies below the flat web, m. Left out: there is no floor.
     pub depth: Option<Length<NonNegative>>,
-    /// What is led, by name; displacements are those in the launch frame, from where a knot lies in the flat web. Left
-    /// out: the outline, straight to a ring of the container's radius.
+    /// What is led, by name; displacements are those in the launch frame, from where a knot lies in the flat web; a
+    /// path ends within 1000 s. Left out: the outline, straight to a ring of the container's radius.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub drive: BTreeMap<String, Drive>,
     /// In which time the outline is drawn in, s, where nothing else is led.
     #[serde(default = "drawing_in")]
-    pub time: Time<Positive>,
+    pub time: Time<PackingTime>,
     /// Acceleration into the container, m/s^2.
     #[serde(default = "standard_gravity")]
     pub gravity: Acceleration<NonNegative>,
@@ -211,14 +211,14 @@ pub struct PrescribedStow {
     pub rest: Number<BelowOne>,
     /// After which time it is taken as it is, s.
     #[serde(default = "longest_settling")]
-    pub longest: Time<Positive>,
+    pub longest: Time<PackingTime>,
     /// Radius of the circle the tractors stand on, m. Left out: that of the container.
     pub tractor_radius: Option<Length<Positive>>,
     /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-fn drawing_in() -> Time<Positive> {
+fn drawing_in() -> Time<PackingTime> {
     Time::constant(1.0)
 }
 
@@ -234,7 +234,7 @@ fn resting_share() -> Number<BelowOne> {
     Number::constant(1e-4)
 }
 
-fn longest_settling() -> Time<Positive> {
+fn longest_settling() -> Time<PackingTime> {
     Time::constant(20.0)
 }
 

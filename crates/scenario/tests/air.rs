@@ -143,6 +143,31 @@ fn a_body_larger_than_its_canopy_drags_as_that_is_turned() {
 }
 
 #[test]
+fn a_particle_is_hidden_as_what_it_is_to_the_air() {
+    let particles = |diameter: &str| {
+        let net = model(
+            &SPACE.replace("payload.cylinder = {}", &format!("payload.particle = {{ mass = 0.2{diameter} }}")),
+            "canopy.links.side = \"0.14 m\"\n[environment.air]",
+        );
+        let outline = net.air.as_ref().unwrap();
+        let told = net.notes.iter().any(|note| note.contains("no size"));
+        let payloads = net.bill.payloads;
+        (
+            (outline.hidden, outline.sizeless),
+            net.system.environment().air.as_ref().unwrap().bodies.len(),
+            told,
+            payloads,
+        )
+    };
+    let (without, drags, told, payloads) = particles("");
+    assert_eq!((without, drags, told), ((payloads, 0), 6, false));
+    // the canopy reaches 0.121 m at least
+    assert_eq!(particles(", diameter = 0.24").0, (payloads, 0));
+    let (large, drags, ..) = particles(", diameter = 0.25");
+    assert_eq!((large, drags), ((0, 0), 6 + payloads));
+}
+
+#[test]
 fn a_tractor_drags_the_way_it_flies() {
     let launch = "[environment.air]\n[launch]\naxial_speed = \"30 m/s\"\nradial_speed = \"40 m/s\"";
     for (more, along) in [("", [0.8, 0.6]), ("\nattitude = \"axis\"", [0.0, 1.0])] {
@@ -251,6 +276,8 @@ fn what_may_not_be_expected_is_said() {
     assert!(damped("[environment.air]").contains("comes on top of the drag of the air"));
     assert!(damped("[environment.air]\n[environment.wind]\nspeed = 3").contains("acts against the world"));
     assert!(damped("").contains("nothing fall faster than 1.182 m/s"), "{}", damped(""));
+    assert!(!damped("hold.corners = true").contains("nothing fall"), "what is held does not fall");
+    assert!(damped("break_ties = [{ corners = true, breaking_load = 50 }]").contains("nothing fall"));
     assert!(!notes("environment.damping = \"2 1/s\"").contains("fall"));
     assert!(notes("tractor.particle.mass = 1\n[environment.air]").contains("4 particles have no size"));
     let still = "stow.scale.factor = 0.9\nenvironment.gravity = 0\n[environment.air]\n";
@@ -269,6 +296,16 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
     assert!((speed / expected - 1.0).abs() < 1e-9, "{speed} and {expected}");
     let ropes = net.ropes_in_air();
     assert!(ropes.len() == 1 && (ropes[0].area - 20.0 * 4e-3).abs() < 1e-12 && ropes[0].normal == 1.1);
+    // with payloads larger than their canopies, which drag and weigh: boxes, from below
+    let payloads = "payload.box = { width = 0.5, depth = 0.4, height = 0.3, mass = 1.5 }";
+    let text = SPACE.replace("payload.cylinder = {}", payloads);
+    let air = "canopy.links = { side = \"0.14 m\" }\nenvironment.air = { normal_coefficient = 1.1 }";
+    let net = model(&text, air);
+    let (count, canopies) = (net.bill.payloads as f64, net.bill.canopies as f64);
+    let ropes = net.bill.web_rope_mass / (1440.0 * PI / 4.0 * 3e-3);
+    let area = 1.1 * ropes + 1.17 * canopies * 1.5 * 3f64.sqrt() * 0.14 * 0.14 + 1.07 * count * 0.5 * 0.4;
+    let expected = (net.bill.web_mass() * 9.80665 / (0.5 * 1.225 * area)).sqrt();
+    assert!((net.terminal_speed().unwrap() / expected - 1.0).abs() < 1e-9, "{expected}");
     // less dense than water
     let afloat = NET.replace("1140", "970");
     let afloat = model(&afloat, "environment.air = { density = 1000, viscosity = \"1 mPa s\" }");

@@ -206,6 +206,18 @@ fn what_cannot_be_led_is_told() {
     assert!(wrong.contains("tractor 1 is no part of the web itself"), "{wrong}");
     let wrong = drive("corners = true, file = \"none.csv\"");
     assert!(wrong.contains("stow.prescribed.drive.it.file: cannot read none.csv"), "{wrong}");
+    for key in ["time", "longest"] {
+        let wrong = found(&format!("radius = \"0.3 m\"\n{key} = \"1e9 s\""));
+        assert!(
+            wrong.contains(&format!("stow.prescribed.{key}: expected a time greater than 0 and at most 1000")),
+            "{wrong}"
+        );
+    }
+    let wrong = drive("corners = true, path = [{ time = 1, by = [0, 0, 0] }, { time = 1e9, by = [0, 0, 0] }]");
+    assert!(
+        wrong.contains("stow.prescribed.drive.it.path[1].time: expected a time") && wrong.contains("1000 s"),
+        "{wrong}"
+    );
     let wrong = found("radius = \"3 m\"");
     assert!(wrong.contains("stow.prescribed.radius: ") && wrong.contains("at most the web's own"), "{wrong}");
     let wrong = found("radius = \"0.3 m\"\ntractor_gap = \"2 m\"");

@@ -93,6 +93,19 @@ fn what_surrounds_and_holds_a_web_reads_back_the_same() {
     }
 }
 
+#[test]
+fn no_template_falls_long_in_what_stands_for_air() {
+    for template in TEMPLATES {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in template.files {
+            std::fs::write(folder.path().join(name), text).unwrap();
+        }
+        let source = Source { name: template.kind.into(), text: template.scenario.into() };
+        let model = Model::new(&Document::parse(source, folder.path(), &[]).unwrap()).unwrap();
+        assert!(!model.notes.iter().any(|note| note.contains("no stand-in for air")), "{}", template.kind);
+    }
+}
+
 /// What a template has in comments is there to be uncommented: keys, and tables with theirs. What comes in place of
 /// something else, "or ...", stands on lines of its own.
 #[test]

@@ -66,7 +66,7 @@ pub struct AirOutline {
     pub solidity: Option<f64>,
     /// Bodies that a canopy hides.
     pub hidden: usize,
-    /// Bodies without size, at which nothing drags.
+    /// Bodies without size that no canopy hides: nothing drags at them.
     pub sizeless: usize,
     /// Upward force of the medium on all that it buoys up, N.
     pub buoyancy: f64,
@@ -102,8 +102,9 @@ pub fn surround(
     let porosity = scenario.canopy.as_ref().map_or(0.0, Canopy::porosity);
     let coefficient = (1.0 - porosity) * asked.sheet_coefficient.si();
     let canopy_side = scenario.canopy.as_ref().map_or(0.0, Canopy::side_m);
-    let is_hidden =
-        |body: &&PlacedBody| body.role != Role::Tractor && body.solid.shape.radius_m() < APOTHEM * canopy_side;
+    let reach = |shape: &Shape| shape.in_air().map_or(0.0, |shape| shape.radius_m());
+    let is_hidden = |body: &&PlacedBody| body.role != Role::Tractor && reach(&body.solid.shape) < APOTHEM * canopy_side;
+    let is_sizeless = |body: &&PlacedBody| !is_hidden(body) && drag_shape(&body.solid.shape).is_none();
     let bodies = made.bodies.iter().filter(|body| !is_hidden(body));
     let air = Air {
         ropes: made.groups.iter().map(rope).collect(),
@@ -128,7 +129,7 @@ pub fn surround(
         drawn_solidity,
         solidity,
         hidden: made.bodies.iter().filter(is_hidden).count(),
-        sizeless: made.bodies.iter().filter(|body| drag_shape(&body.solid.shape).is_none()).count(),
+        sizeless: made.bodies.iter().filter(is_sizeless).count(),
         buoyancy: all,
         web_buoyancy: of_the_web,
     }))

@@ -1,6 +1,8 @@
 //! What the air does to a web, in figures: what a scenario's author checks before anything is run.
 
-use netcast_dynamics::air::Air;
+use glam::DVec3;
+use netcast_dynamics::air::{Air, BodyDrag};
+use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_webs::Class;
 
@@ -65,11 +67,16 @@ impl Model {
         }
         let ropes: Vec<_> =
             self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
+        let (density, viscosity) = (air.medium.density(0.0), air.medium.viscosity());
+        // their z axes stand on the web
+        let is_carried = |body: &&BodyDrag| !self.system.tractor()[body.node];
+        let bodies: Vec<Shape> = air.bodies.iter().filter(is_carried).map(|body| body.shape).collect();
         let sheets: f64 = air.sheets.iter().map(|sheet| sheet.coefficient * sheet.area).sum();
         let drag = |speed: f64| {
             let ropes: f64 =
                 ropes.iter().map(|(_, area, drag)| area * drag.coefficient(reynolds(air, drag, speed))).sum();
-            0.5 * air.medium.density(0.0) * speed * speed * (ropes + sheets)
+            let bodies: f64 = bodies.iter().map(|shape| shape.force(DVec3::Z * speed, density, viscosity).z).sum();
+            0.5 * density * speed * speed * (ropes + sheets) + bodies
         };
         let (mut slow, mut fast) = (0.0, 1.0);
         while drag(fast) < weight {
@@ -99,8 +106,8 @@ fn reynolds(air: &Air, drag: &RopeDrag, speed: f64) -> f64 {
     air.medium.density(0.0) * speed * drag.diameter / air.medium.viscosity()
 }
 
-/// What a user may not have expected of the air, and of what stands for it.
-pub fn notes(scenario: &Scenario, air: Option<&AirOutline>) -> Vec<String> {
+/// What a user may not have expected of the air, and of what stands for it; `falls` where nothing holds the web.
+pub fn notes(scenario: &Scenario, air: Option<&AirOutline>, falls: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let environment = &scenario.environment;
     let (damping, gravity) = (environment.damping.si(), environment.gravity.si());
@@ -118,7 +125,7 @@ pub fn notes(scenario: &Scenario, air: Option<&AirOutline>) -> Vec<String> {
         );
     }
     let time = scenario.solve.run_time().unwrap_or(0.0);
-    if damping * time > LONG && gravity > 0.0 {
+    if damping * time > LONG && gravity > 0.0 && falls {
         notes.push(format!(
             "environment.damping lets nothing fall faster than {terminal}, heavy or light, and nothing drift: over {time} s \
              that is no stand-in for air"

@@ -249,6 +249,8 @@ impl Model {
         let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
         release::spin(turning * (frame * DVec3::Z), &parts, &mut state);
         release::hold_back(document, &cut, &scenario, &tractors, &mut notes, (&mut parts, &mut state))?;
+        // what is tied holds for a while only
+        let falls = !parts.held.contains(&true);
         let (members, groups) = (&mut materials.members, &mut materials.groups);
         ties::tie(document, &cut, &scenario, (members, groups), (&mut parts, &mut state))?;
         let mass = parts.mass.iter().sum();
@@ -298,7 +300,7 @@ impl Model {
             );
         }
         notes.extend(launched_and_held(&system, &throws));
-        notes.extend(exposure::notes(&scenario, air.as_ref()));
+        notes.extend(exposure::notes(&scenario, air.as_ref(), falls));
         if let Some(note) = ill_begun(&system, &state) {
             notes.push(note);
         }

@@ -6,7 +6,10 @@ use netcast_webs::{CutWeb, Led, Prescribed, StiffPlate};
 use super::drives::Drives;
 use super::stowing::mouth;
 use crate::diagnostic::Diagnostics;
+use crate::dimension::Dimension;
 use crate::document::Document;
+use crate::interval::{PackingTime, Within};
+use crate::path::Path;
 use crate::stow::PrescribedStow;
 
 /// The packing of a web whose nodes have `mass`, kg, and whose canopies keep their shape as `plates`.
@@ -17,6 +20,7 @@ pub fn prescribed(
     mass: &[f64],
     plates: Vec<StiffPlate>,
 ) -> Result<Prescribed, Diagnostics> {
+    paths_end(document, stow)?;
     let flat = vec![DVec3::ZERO; cut.nodes.len()];
     let named = Drives { table: DRIVES, drives: &stow.drive, files: &document.stow_paths };
     let led = named.resolve(document, cut, &flat)?;
@@ -39,6 +43,22 @@ pub fn prescribed(
         plates,
         mouth: mouth(stow.tractor_radius, stow.tractor_gap),
     })
+}
+
+/// That every path ends within the time that there is for a packing.
+fn paths_end(document: &Document, stow: &PrescribedStow) -> Result<(), Diagnostics> {
+    let late = stow.drive.iter().filter_map(|(name, drive)| {
+        let path = Path::parse(DRIVES).key(name);
+        let listed = drive.path.iter().flatten().enumerate();
+        let listed = listed.map(|(index, point)| (path.key("path").index(index).key("time"), point.time.si()));
+        let rows = document.stow_paths.get(name).into_iter().flatten();
+        let points = listed.chain(rows.map(|row| (path.key("file"), row.time_s)));
+        let (place, time) =
+            points.into_iter().find(|&(_, time)| time > 0.0 && !PackingTime::INTERVAL.contains(time))?;
+        let most = PackingTime::INTERVAL.describe(Dimension::default());
+        Some(document.diagnostic(&place.to_string(), format!("expected a time {most} s, found {time} s")))
+    });
+    Diagnostics::fail_if_any(late.collect())
 }
 
 /// Where what is led stands.
