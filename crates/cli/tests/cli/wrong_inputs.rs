@@ -278,7 +278,7 @@ fn a_run_that_would_never_end_is_refused() {
 #[test]
 fn what_only_the_drawn_web_shows_is_told_at_once_too() {
     let text = SMALL_NET.replace("factor = 0.25", "factor = 1.0").replace("[rope]", "[rope]\npretension = \"5 N\"")
-        + "\n[assign]\nring = \"rope\"\n\n[ropes.rope]\ndiameter = \"3 mm\"\ndensity = 1140\nelastic_modulus = \"5 GPa\"\n\
+        + "\n[assign]\nring = \"thin\"\n\n[ropes.thin]\ndiameter = \"3 mm\"\ndensity = 1140\nelastic_modulus = \"5 GPa\"\n\
            \n[hold]\nnodes = [\"n77\"]\n\n[[tractors]]\ncorner = 9\nparticle = { mass = 1 }\n";
     assert_says(
         &refused(&Workbench::new(&[("net.toml", &text)])),
