@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use netcast_dynamics::air::Attitude;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_scenario::diagnostic::Source;
@@ -251,6 +251,46 @@ fn turbulence_is_as_strong_as_asked_for_comes_with_the_gust_and_hangs_on_its_see
             let added = both.at(0.0, time) - wind.at(0.0, time);
             assert!(added.distance(DVec3::X * speed) < 1e-3, "{time}: {added}");
         }
+    }
+}
+
+/// One seed, ten minutes: the spectra as published, along the wind.
+#[test]
+fn ten_minutes_of_turbulence_have_its_variance_and_its_spectrum() {
+    let (speed, scale, deviation) = (8.0, 20.0, 1.2);
+    let time = scale / speed;
+    let level = 4.0 * deviation * deviation * time;
+    let von_karman = |f: f64| level / (1.0 + 70.8 * (f * time).powi(2)).powf(5.0 / 6.0);
+    let dryden = |f: f64| level / (1.0 + (2.0 * PI * f * time).powi(2));
+    let spectra: [(&str, &dyn Fn(f64) -> f64); 2] = [("von_karman", &von_karman), ("dryden", &dryden)];
+    for (kind, spectrum) in spectra {
+        let run = NET.replace("\"2 s\"", "\"600 s\"");
+        let eddies = format!("turbulence.{kind} = {{ deviation = {deviation}, length_scale = {scale}, seed = 7 }}");
+        let wind = format!("record.every = 1\n[environment.air]\n[environment.wind]\nspeed = {speed}\n{eddies}");
+        let net = model(&run, &wind);
+        let series = &net.system.environment().air.as_ref().unwrap().wind.fluctuation;
+        for k in 0..3 {
+            let variance = series.values.iter().map(|v| v[k] * v[k]).sum::<f64>() / series.values.len() as f64;
+            let ratio = variance / (deviation * deviation);
+            assert!((ratio - 1.0).abs() < 0.1, "{kind} {k}: {ratio} of the variance");
+        }
+        // what lies between two frequencies, by a discrete Fourier transform of those alone; every tenth value will do
+        let values: Vec<f64> = series.values.iter().step_by(10).map(|v| v.x).collect();
+        let (count, [low, high]) = (values.len() as f64, [0.2, 0.6]);
+        let lasts = count * 10.0 * series.spacing;
+        let found: f64 = ((low * lasts) as usize..(high * lasts) as usize)
+            .map(|line| {
+                let rate = 2.0 * PI * line as f64 / count;
+                let wave = |(i, v): (usize, &f64)| DVec2::from_angle(rate * i as f64) * *v;
+                2.0 * values.iter().enumerate().map(wave).sum::<DVec2>().length_squared() / (count * count)
+            })
+            .sum();
+        let expected: f64 = (0..400).map(|i| spectrum(low + (f64::from(i) + 0.5) * 1e-3) * 1e-3).sum();
+        assert!(
+            (found / expected - 1.0).abs() < 0.1,
+            "{kind}: {} of the energy from {low} to {high} Hz",
+            found / expected
+        );
     }
 }
 
