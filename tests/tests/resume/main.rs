@@ -77,6 +77,16 @@ fn the_scenarios_hold_everything_that_a_scenario_can_hold() {
     assert_eq!(missing(), [""; 0], "give tests/resume/scenarios.rs a scenario with it");
 }
 
+/// What a scenario is there for has to happen within its few records.
+#[test]
+fn what_is_thrown_from_the_ground_rubs_on_it() {
+    let workbench = workbench();
+    let (_, text) = SCENARIOS.iter().find(|(name, _)| *name == "thrown from the ground").unwrap();
+    let document = read(text, workbench.path());
+    let (ran, _) = run_for(&document, &workbench.path().join("whole"), &options(1, false), usize::MAX);
+    assert!(ran.summary.energy.channels["ground_friction"] > 0.0, "{:?}", ran.summary.energy.channels);
+}
+
 #[test]
 fn whatever_a_run_holds_it_goes_on_to_the_same_bytes() {
     let workbench = workbench();

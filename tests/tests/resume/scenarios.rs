@@ -652,7 +652,7 @@ rope = { diameter = "4 mm", density = 1140, elastic_modulus = "1 GPa", damping_r
 tractor.box = { width = "50 mm", depth = "60 mm", height = "80 mm", mass = "0.3 kg" }
 traction_rope = { length = "0.2 m", tied_at = "rear" }
 stow.scale.factor = 0.4
-launch = { axial_speed = "3 m/s", radial_speed = "20 m/s" }
+launch = { axial_speed = "0.1 m/s", radial_speed = "20 m/s" }
 environment.ground = { friction = 0.4, restitution = 0.3, contact_time = "0.5 ms" }
 solve = { duration = "40 ms", segment_length = "0.1 m", on_energy_error = "flag" }
 record.every = "2 ms"
