@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use netcast::results::{History, folder};
+use netcast::webs::Class;
 use netcast::{Document, Model, RunOptions, Scenario, run};
-use netcast_tests::examples;
+use netcast_tests::{Run, examples};
 
 /// An example: a folder with one scenario.
 struct Example {
@@ -87,6 +88,27 @@ fn every_example_runs_to_its_end_with_its_energy_accounted_for() {
             running.into_iter().filter_map(|(example, run)| run.join().is_err().then_some(&example.name[..])).collect();
         assert!(failed.is_empty(), "see above for {failed:?}");
     });
+}
+
+#[test]
+fn the_net_shot_from_the_ground_drifts_with_the_wind_and_lands() {
+    let run = Run::example("12_from_the_ground/from_the_ground.toml", &[]);
+    let (flight, channels) = (&run.summary.flight, &run.summary.energy.channels);
+    let (touches, lies) = (flight.touches_down_s.unwrap(), flight.lies_from_s.unwrap());
+    assert!(flight.apex_time_s.unwrap() < touches && touches < lies && lies < 3.4, "{flight:?}");
+    // the shot is along x, the wind along y
+    let downwind = flight.drift_m.unwrap() * flight.drift_azimuth_rad.unwrap().sin();
+    assert!(downwind > 1.0, "{downwind} m downwind");
+    assert!(channels["air"] > 0.0 && channels["ground_friction"] > 0.0, "{channels:?}");
+}
+
+#[test]
+fn the_ties_of_the_net_from_tubes_let_go_and_no_rope_breaks() {
+    let run = Run::example("11_tubes/tubes.toml", &[]);
+    let ties = run.model.groups.iter().position(|group| group.class == Class::Tie).unwrap();
+    let ties = run.model.system.segments().iter().filter(|segment| segment.class == ties).count();
+    let breaks = &run.summary.breaks;
+    assert!(ties == 4 && breaks.len() == ties && breaks.iter().all(|one| one.released), "{breaks:?}");
 }
 
 #[test]
