@@ -406,6 +406,11 @@ fn what_does_not_fit_is_told_with_its_place() {
         "environment.wind.speed: a measured wind is all there is: expected only one of `series` and `speed`",
     );
     blown(
+        "series.file = \"wind.csv\"\nmuzzle_height = 3",
+        "t,vx,vy,vz\n0,1,2,3\n",
+        "environment.wind.muzzle_height: a measured wind is all there is: expected only one of `series` and `muzzle_height`",
+    );
+    blown(
         "series.file = \"wind.csv\"",
         "t,vx,vy,vz\n0,1,2,3\n1,1,2,3\n1,1,2,3\n",
         "environment.wind.series.file: t: expected a time after that of the line before",

@@ -94,7 +94,7 @@ fn stitches_join_folds_and_not_neighbours_along_a_rope() {
     let (plain, all, half) = (modelled(folds), modelled(&row(1)), modelled(&row(2)));
     let own = plain.system.segments().len();
     let stitches = &all.system.segments()[own..];
-    assert!(!stitches.is_empty() && half.system.segments().len() - own <= stitches.len());
+    assert!(!stitches.is_empty() && half.system.segments().len() - own < stitches.len());
     for stitch in stitches {
         let [a, b] = stitch.ends.map(|end| all.state.position[end]);
         assert!(a.distance(b) <= 0.08, "{}", a.distance(b));
@@ -124,6 +124,15 @@ fn what_cannot_be_tied_is_told_with_its_place() {
         (row("class = \"outline\", reach = 0.01"), "stitches[0].reach: it has no stitch"),
         (row("pairs = [[\"knot 2\", \"knot 99\"]]"), "stitches[0].pairs[0][1]: unknown node \"knot 99\""),
         (row("pairs = [[\"knot 2\", \"knot 3\"]], class = \"outline\""), "expected only one of `pairs` and `class`"),
+        (
+            row("pairs = [[\"knot 2\", \"knot 3\"]], reach = 1"),
+            "stitches[0].reach: expected only one of `pairs` and `reach`",
+        ),
+        (
+            row("pairs = [[\"knot 2\", \"knot 3\"]], every = 2"),
+            "stitches[0].every: expected only one of `pairs` and `every`",
+        ),
+        (row("pairs = []"), "stitches[0].pairs: no nodes are named"),
         (
             wrong("hold.corners = true\nbreak_ties = [{ corners = true, breaking_load = 20 }]\n"),
             "is held already: nothing pulls at this tie",

@@ -64,7 +64,8 @@ pub fn lay(
     let (lowest, bottom) =
         of_nodes.chain(of_hulls).fold((0, f64::INFINITY), |one, other| if other.1 < one.1 { other } else { one });
     let height = asked.height.get_or_insert(Length::constant(if bottom.is_finite() { bottom } else { 0.0 })).si();
-    if let Some(wind) = &mut scenario.environment.wind {
+    let profiled = scenario.environment.wind.as_mut().filter(|wind| wind.series.is_none());
+    if let Some(wind) = profiled {
         wind.muzzle_height.get_or_insert(Length::constant((-height).clamp(0.0, HIGHEST_MUZZLE)));
     }
     if bottom < height {

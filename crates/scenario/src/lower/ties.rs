@@ -167,6 +167,10 @@ fn stitches(
     for (row, stitching) in scenario.stitches.iter().enumerate() {
         let path = Path::default().key("stitches").index(row);
         let spans = match (&stitching.pairs, &stitching.class, stitching.reach) {
+            (Some(named), ..) if named.is_empty() => {
+                found.push(document.diagnostic(&path.key("pairs").to_string(), "no nodes are named that it joins"));
+                continue;
+            }
             (Some(named), ..) => pairs(document, cut, &path, named, found),
             (_, Some(class), _) if !groups.iter().any(|g| g.rope.is_some() && g.class.name() == class) => {
                 found.push(unknown_class(document, &path, class, groups));
@@ -227,11 +231,12 @@ fn folds(cut: &CutWeb, class: &str, stitching: &Stitching, reach: f64, position:
     // by their place along one axis, so that few are looked at
     let mut along: Vec<usize> = (0..cut.nodes.len()).filter(|&node| !neighbours[node].is_empty()).collect();
     along.sort_by(|&a, &b| position[a].x.total_cmp(&position[b].x));
+    let every = stitching.every.map_or(1, |every| every.get() as usize);
     let mut passed = vec![false; cut.nodes.len()];
     let mut spans = Vec::new();
     let ropes = (0..cut.ropes.len()).filter(|&rope| cut.web.ropes[rope].class.name() == class);
     for (place, node) in ropes.flat_map(|rope| cut.nodes_of(rope).into_iter().enumerate()) {
-        if std::mem::replace(&mut passed[node], true) || !place.is_multiple_of(stitching.every.get() as usize) {
+        if std::mem::replace(&mut passed[node], true) || !place.is_multiple_of(every) {
             continue;
         }
         let same_fold = within(2.0 * reach, node, &neighbours);
