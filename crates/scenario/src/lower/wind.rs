@@ -3,10 +3,10 @@
 use glam::DVec3;
 use netcast_dynamics::air::turbulence::{self, Spectrum};
 use netcast_dynamics::air::wind::{Series, Wind, gust, logarithmic, power_law};
+use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use super::scatter::uniform;
 use crate::csv_files::WindRow;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
@@ -120,7 +120,7 @@ fn turbulent(
         turbulence::Turbulence { spectrum, deviation: [deviation; 3], scale: [along, across, across], speed };
     let mut source = ChaCha8Rng::seed_from_u64(eddies.seed.into());
     let axes = [direction, DVec3::Z.cross(direction), DVec3::Z];
-    Ok(turbulence.series(axes, duration, || uniform(&mut source)))
+    Ok(turbulence.series(axes, duration, || uniform_above_zero(&mut source)))
 }
 
 /// The sum of both from the start on, as fine as the finer of them.
