@@ -41,7 +41,7 @@ fn a_wind_blows_in_air(written: &Written, found: &mut Vec<Diagnostic>) {
 fn a_measured_wind_is_all_there_is(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::parse("environment.wind");
     let Some(wind) = table_at(written, "environment.wind").filter(|wind| wind.get("series").is_some()) else { return };
-    for key in ["speed", "azimuth", "power", "logarithmic", "gust", "turbulence"] {
+    for key in ["speed", "azimuth", "muzzle_height", "power", "logarithmic", "gust", "turbulence"] {
         if wind.get(key).is_some() {
             let message = format!("a measured wind is all there is: expected only one of `series` and `{key}`");
             found.push(written.at_key(&path.key(key), message));

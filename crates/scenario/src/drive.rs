@@ -42,7 +42,7 @@ pub struct Drive {
 pub struct Waypoint {
     /// When it is reached, s.
     pub time: Time<NonNegative>,
-    /// Displacement from the start, x, y and z in the world frame, m.
+    /// Displacement from the start, x, y and z, m: in the world frame, of `[stow.prescribed]` in the launch frame.
     pub by: [Length; 3],
 }
 

@@ -25,6 +25,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     a_run_has_an_end(written, &mut found);
     an_orbit_is_empty(written, &mut found);
     what_is_loaded_or_driven_is_named(written, &mut found);
+    named_stitches_are_all_there_are(written, &mut found);
     air_rules::check(written, &mut found);
     found
 }
@@ -214,6 +215,18 @@ fn what_is_loaded_or_driven_is_named(written: &Written, found: &mut Vec<Diagnost
                 found.push(written.at_value(&path, "nothing is named on which it acts").with_help(help));
             }
             (None, None) => {}
+        }
+    }
+}
+
+fn named_stitches_are_all_there_are(written: &Written, found: &mut Vec<Diagnostic>) {
+    let path = Path::default().key("stitches");
+    let rows = written.tree.get(&path).and_then(|node| node.value.as_array()).unwrap_or_default();
+    for (index, row) in rows.iter().enumerate() {
+        let Some(row) = row.value.as_table().filter(|row| row.get("pairs").is_some()) else { continue };
+        for key in ["reach", "every"].into_iter().filter(|key| row.get(key).is_some()) {
+            let message = format!("expected only one of `pairs` and `{key}`, which goes with a `class`");
+            found.push(written.at_key(&path.index(index).key(key), message));
         }
     }
 }

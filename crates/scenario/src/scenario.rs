@@ -174,6 +174,7 @@ impl Scenario {
         if let Some(stowage) = &mut self.stow {
             stowage.pattern.complete(thickest);
         }
+        self.stitches.iter_mut().for_each(Stitching::complete);
         for body in [&mut self.payload, &mut self.sensor].into_iter().flatten() {
             body.complete(&BodyDefaults::PAYLOAD);
         }

@@ -50,9 +50,8 @@ pub struct Stitching {
     pub pairs: Option<Vec<[String; 2]>>,
     /// The link class whose ropes are stitched.
     pub class: Option<String>,
-    /// Nodes along a rope from one stitch to the next.
-    #[serde(default = "every_node")]
-    pub every: NonZeroU32,
+    /// Nodes along a rope from one stitch to the next. Left out: 1, every node is stitched.
+    pub every: Option<NonZeroU32>,
     /// How far apart two nodes may lie that are stitched together, m. The way from one to the other along the ropes is more
     /// than twice that: they lie in different folds.
     pub reach: Option<Length<Positive>>,
@@ -65,10 +64,15 @@ pub struct Stitching {
     pub length: Option<Length<Positive>>,
 }
 
-fn default_breaking_strain() -> Number<Positive> {
-    Number::constant(0.1)
+impl Stitching {
+    /// Writes the default of what is stitched by a class out.
+    pub(crate) fn complete(&mut self) {
+        if self.class.is_some() {
+            self.every.get_or_insert(NonZeroU32::MIN);
+        }
+    }
 }
 
-fn every_node() -> NonZeroU32 {
-    NonZeroU32::MIN
+fn default_breaking_strain() -> Number<Positive> {
+    Number::constant(0.1)
 }

@@ -446,9 +446,20 @@ fn what_does_not_fit_is_told_with_its_place() {
         "environment.wind.speed: a measured wind is all there is: expected only one of `series` and `speed`",
     );
     blown(
+        "series.file = \"wind.csv\"\nmuzzle_height = 3",
+        "t,vx,vy,vz\n0,1,2,3\n",
+        "environment.wind.muzzle_height: a measured wind is all there is: expected only one of `series` and `muzzle_height`",
+    );
+    blown(
         "series.file = \"wind.csv\"",
         "t,vx,vy,vz\n0,1,2,3\n1,1,2,3\n1,1,2,3\n",
         "environment.wind.series.file: t: expected a time after that of the line before",
+    );
+    blown(
+        "series.file = \"wind.csv\"",
+        "t,vx,vy,vz\n0,1,2,3\n0.0000001,1,2,3\n1,1,2,3\n",
+        "environment.wind.series.file: its rows lie too unevenly for a table of 1e6 entries (leave rows out that lie next to \
+         each other, or even them out)",
     );
     blown("series.file = \"wind.csv\"", "t,vx,vy,vz\n", "environment.wind.series.file: no wind");
 }

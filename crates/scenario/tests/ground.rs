@@ -45,6 +45,53 @@ fn a_rigid_tractor_touches_with_its_edges_and_its_ropes_with_their_knots() {
 }
 
 #[test]
+fn a_rigid_ball_touches_with_its_surface() {
+    let ball = "tractor.sphere = { diameter = \"0.1 m\", mass = \"1 kg\" }";
+    let tied = "traction_rope = { length = \"0.5 m\", tied_at = \"front\" }";
+    let net = model(&format!("{ball}\n{tied}\nenvironment.ground = {{}}")).unwrap();
+    let ground = net.system.environment().ground.as_ref().unwrap();
+    let hulls: Vec<_> = ground.hulls.iter().map(|hull| (hull.body, hull.arm, hull.radius)).collect();
+    assert_eq!(hulls, [0, 1, 2, 3].map(|body| (body, DVec3::ZERO, 0.05)));
+    // its front lies with the ropes at the muzzle, its back a diameter below
+    assert!((ground.height + 0.1).abs() < 1e-15, "{}", ground.height);
+}
+
+#[test]
+fn a_rigid_canopy_touches_with_its_corners_and_its_middle() {
+    let text = "web.space.side = \"1 m\"\ncanopy.rigid.side = \"0.14 m\"\nsolve.duration = \"0.1 s\"\n\
+                rope = { diameter = \"3 mm\", density = 1440, elastic_modulus = \"7 GPa\" }\n\
+                launch.elevation = \"30 deg\"\nenvironment.ground = {}";
+    let source = Source { name: "net.toml".into(), text: text.into() };
+    let net = Model::new(&Document::parse(source, "".as_ref(), &[]).unwrap()).unwrap();
+    let ground = net.system.environment().ground.as_ref().unwrap();
+    let carried: Vec<_> = net
+        .system
+        .bodies()
+        .iter()
+        .enumerate()
+        .flat_map(|(i, body)| body.ties.iter().map(move |tie| (i, tie)))
+        .collect();
+    assert_eq!(ground.hulls.len(), carried.len());
+    for (hull, (body, tie)) in ground.hulls.iter().zip(carried) {
+        let touches = net.state.position[net.system.bodies()[body].centre] + hull.offset(&net.state.rotation[body]);
+        assert!(hull.body == body && touches.distance(net.state.position[tie.node]) < 1e-12);
+        assert!(ground.nodes.iter().all(|at| at.node != tie.node), "it touches once");
+    }
+    let lowest = net.state.position.iter().map(|place| place.z).fold(f64::INFINITY, f64::min);
+    assert!((ground.height - lowest).abs() < 1e-12, "{} and {lowest}", ground.height);
+}
+
+#[test]
+fn what_is_held_stands_on_it_and_is_not_pushed() {
+    let ball = "tractor.sphere = { diameter = \"0.1 m\", mass = \"1 kg\" }";
+    for held in ["hold.corners = true", "drive.them = { corners = true, path = [{ time = 1, by = [0, 0, 1] }] }"] {
+        let net = model(&format!("{ball}\n{held}\nenvironment.ground = {{}}")).unwrap();
+        let ground = net.system.environment().ground.as_ref().unwrap();
+        assert_eq!((ground.height, ground.nodes.len()), (-0.05, net.cut.nodes.len() - 4), "{held}");
+    }
+}
+
+#[test]
 fn what_starts_below_it_is_told() {
     let found = wrong("environment.ground.height = \"0.3 m\"");
     assert!(found.contains("environment.ground.height: ") && found.contains("starts 0.300 m below"), "{found}");

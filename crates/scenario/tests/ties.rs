@@ -94,7 +94,7 @@ fn stitches_join_folds_and_not_neighbours_along_a_rope() {
     let (plain, all, half) = (modelled(folds), modelled(&row(1)), modelled(&row(2)));
     let own = plain.system.segments().len();
     let stitches = &all.system.segments()[own..];
-    assert!(!stitches.is_empty() && half.system.segments().len() - own <= stitches.len());
+    assert!(!stitches.is_empty() && half.system.segments().len() - own < stitches.len());
     for stitch in stitches {
         let [a, b] = stitch.ends.map(|end| all.state.position[end]);
         assert!(a.distance(b) <= 0.08, "{}", a.distance(b));
@@ -106,6 +106,51 @@ fn stitches_join_folds_and_not_neighbours_along_a_rope() {
     }
     assert_eq!(all.segment_label(own), "stitch 1 of row 1");
     assert_eq!(all.groups[stitches[0].class].class.name(), "stitch");
+}
+
+/// The least ways along the ropes of a drawn web from a node to all others, m (Bellman 1958: relaxed until nothing changes).
+fn ways(model: &Model, from: usize) -> Vec<f64> {
+    let mut ways = vec![f64::INFINITY; model.cut.nodes.len()];
+    ways[from] = 0.0;
+    loop {
+        let before = ways.clone();
+        for s in model.cut.segments() {
+            ways[s.a] = ways[s.a].min(ways[s.b] + s.rest_length);
+            ways[s.b] = ways[s.b].min(ways[s.a] + s.rest_length);
+        }
+        if ways == before {
+            return ways;
+        }
+    }
+}
+
+#[test]
+fn a_stitch_spans_more_than_twice_its_reach_of_rope_and_a_row_does_not_go_back() {
+    const REACH: f64 = 0.08;
+    let fine = NET.replace("\"0.25 m\"", "\"50 mm\"");
+    let folds = "stow.layers = { container.box = { width = \"1 m\", breadth = \"0.6 m\", height = \"0.5 m\" } }\n";
+    let row = format!("stitches = [{{ class = \"outline\", reach = {REACH}, breaking_load = 5 }}]\n");
+    let model = Model::new(&parse(&format!("{fine}{folds}{row}"), &[]).unwrap()).unwrap();
+    let mut walked = Vec::new();
+    for (rope, _) in model.cut.web.ropes.iter().enumerate().filter(|(_, rope)| rope.class.name() == "outline") {
+        walked.extend(model.cut.nodes_of(rope));
+    }
+    let at = |node: usize| walked.iter().position(|&other| other == node);
+    let (mut stitched, mut near_but_joined) = (0, 0);
+    for stitch in model.system.segments().iter().filter(|s| model.groups[s.class].class.name() == "stitch") {
+        let [node, other] = stitch.ends;
+        let ways = ways(&model, node);
+        assert!(ways[other] > 2.0 * REACH, "{} m of rope", ways[other]);
+        assert!(at(other).is_none_or(|place| place > at(node).unwrap()), "it goes back");
+        let far = |other: usize| model.state.position[node].distance(model.state.position[other]);
+        // the nearest there is in another fold, of what the row has not passed
+        let free = (0..ways.len()).filter(|&other| at(other).is_none_or(|place| place > at(node).unwrap()));
+        let nearest = free.filter(|&other| ways[other] > 2.0 * REACH).map(far).fold(f64::INFINITY, f64::min);
+        assert_eq!(far(other), nearest);
+        near_but_joined += (0..ways.len()).filter(|&n| n != node && far(n) < nearest && ways[n] <= 2.0 * REACH).count();
+        stitched += 1;
+    }
+    assert!(stitched > 20 && near_but_joined > 0, "{stitched}, {near_but_joined}");
 }
 
 #[test]
@@ -124,6 +169,15 @@ fn what_cannot_be_tied_is_told_with_its_place() {
         (row("class = \"outline\", reach = 0.01"), "stitches[0].reach: it has no stitch"),
         (row("pairs = [[\"knot 2\", \"knot 99\"]]"), "stitches[0].pairs[0][1]: unknown node \"knot 99\""),
         (row("pairs = [[\"knot 2\", \"knot 3\"]], class = \"outline\""), "expected only one of `pairs` and `class`"),
+        (
+            row("pairs = [[\"knot 2\", \"knot 3\"]], reach = 1"),
+            "stitches[0].reach: expected only one of `pairs` and `reach`",
+        ),
+        (
+            row("pairs = [[\"knot 2\", \"knot 3\"]], every = 2"),
+            "stitches[0].every: expected only one of `pairs` and `every`",
+        ),
+        (row("pairs = []"), "stitches[0].pairs: no nodes are named"),
         (
             wrong("hold.corners = true\nbreak_ties = [{ corners = true, breaking_load = 20 }]\n"),
             "is held already: nothing pulls at this tie",

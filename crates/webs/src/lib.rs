@@ -26,6 +26,7 @@
 
 mod bill;
 mod cells;
+pub mod chance;
 mod check;
 mod class;
 mod cut;

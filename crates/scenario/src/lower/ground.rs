@@ -50,11 +50,11 @@ pub fn lay(
     }
     let is_centre = |node: usize| parts.bodies.iter().any(|body| body.centre == node);
     let movable = (0..parts.mass.len()).filter(|&node| parts.mass[node] > 0.0 && !parts.held[node] && !is_centre(node));
-    nodes.extend(movable.map(|node| {
-        let sitting = placed.iter().filter(|placed| placed.rigid.is_none() && placed.node == node);
-        let radius = sitting.map(|placed| placed.solid.shape.least_reach_m()).fold(0.0, f64::max);
-        Footing { node, radius, spring: spring(parts.mass[node]) }
-    }));
+    let mut radius = vec![0.0f64; parts.mass.len()];
+    for sitting in placed.iter().filter(|placed| placed.rigid.is_none()) {
+        radius[sitting.node] = radius[sitting.node].max(sitting.solid.shape.least_reach_m());
+    }
+    nodes.extend(movable.map(|node| Footing { node, radius: radius[node], spring: spring(parts.mass[node]) }));
 
     let of_nodes = nodes.iter().map(|at| (at.node, state.position[at.node].z - at.radius));
     let of_hulls = hulls.iter().map(|hull| {
@@ -63,14 +63,17 @@ pub fn lay(
     });
     let (lowest, bottom) =
         of_nodes.chain(of_hulls).fold((0, f64::INFINITY), |one, other| if other.1 < one.1 { other } else { one });
-    let height = asked.height.get_or_insert(Length::constant(if bottom.is_finite() { bottom } else { 0.0 })).si();
-    if let Some(wind) = &mut scenario.environment.wind {
+    // what is held or driven stands on the ground as well, though nothing pushes it
+    let all = state.position.iter().zip(&radius).map(|(place, radius)| place.z - radius);
+    let height = asked.height.get_or_insert_with(|| Length::constant(all.fold(bottom, f64::min))).si();
+    let profiled = scenario.environment.wind.as_mut().filter(|wind| wind.series.is_none());
+    if let Some(wind) = profiled {
         wind.muzzle_height.get_or_insert(Length::constant((-height).clamp(0.0, HIGHEST_MUZZLE)));
     }
     if bottom < height {
         let what = if lowest < cut.nodes.len() { cut.node_label(lowest) } else { "a body".to_owned() };
         let message = format!("{what} starts {:.3} m below the ground", height - bottom);
-        let help = format!("expected at most \"{bottom:.3} m\"; left out, the lowest point is on the ground");
+        let help = format!("expected at most \"{bottom:.3} m\"; left out, the lowest point of all is on the ground");
         return Err(document.diagnostic("environment.ground.height", message).with_help(help).into());
     }
     parts.environment.ground = Some(Ground { height, friction: asked.friction.si(), nodes, hulls });

@@ -57,9 +57,9 @@ pub fn hold_back(
     (parts, state): (&mut SystemParts, &mut State),
 ) -> Result<(), Diagnostics> {
     let mut opens = vec![0.0f64; parts.mass.len()];
-    let mut is_web = vec![true; parts.mass.len()];
-    let on_traction_ropes = cut.web.traction.iter().flatten().flat_map(|&rope| cut.ropes[rope].interior());
-    on_traction_ropes.chain(tractors.iter().copied()).for_each(|node| is_web[node] = false);
+    let mut is_web = cut.is_web();
+    is_web.resize(parts.mass.len(), true);
+    tractors.iter().for_each(|&node| is_web[node] = false);
     let mut found = Vec::new();
     for (index, cover) in scenario.covers.iter().enumerate() {
         let mut put = |node: usize| opens[node] = opens[node].max(cover.opens.si());

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
+use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 
 use crate::launch::Scatter;
 
@@ -51,14 +52,9 @@ impl Chance {
 /// Two normally distributed numbers of mean 0 and deviation 1 (Box and Muller, Ann. Math. Stat. 29, 1958), by `libm`
 /// where a library's own would take the machine's logarithm.
 fn normal_pair(source: &mut ChaCha8Rng) -> [f64; 2] {
-    let radius = (-2.0 * libm::log(uniform(source))).sqrt();
-    let (sin, cos) = libm::sincos(TAU * uniform(source));
+    let radius = (-2.0 * libm::log(uniform_above_zero(source))).sqrt();
+    let (sin, cos) = libm::sincos(TAU * uniform_above_zero(source));
     [radius * cos, radius * sin]
-}
-
-/// A number in (0, 1], any as likely as any other: 53 bits.
-pub fn uniform(source: &mut ChaCha8Rng) -> f64 {
-    ((source.next_u64() >> 11) + 1) as f64 / (1u64 << 53) as f64
 }
 
 #[cfg(test)]

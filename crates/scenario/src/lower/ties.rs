@@ -3,7 +3,8 @@
 //! They weigh nothing, are no ropes and join nothing in the drawing: a web's bill, its pieces and its tensions are what
 //! they are without them. What is tied to a place is tied to a node of its own that is held there.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::{Ordering, Reverse};
+use std::collections::{BTreeSet, BinaryHeap};
 
 use glam::DVec3;
 use netcast_dynamics::forces::breaking::Breaking;
@@ -167,6 +168,10 @@ fn stitches(
     for (row, stitching) in scenario.stitches.iter().enumerate() {
         let path = Path::default().key("stitches").index(row);
         let spans = match (&stitching.pairs, &stitching.class, stitching.reach) {
+            (Some(named), ..) if named.is_empty() => {
+                found.push(document.diagnostic(&path.key("pairs").to_string(), "no nodes are named that it joins"));
+                continue;
+            }
             (Some(named), ..) => pairs(document, cut, &path, named, found),
             (_, Some(class), _) if !groups.iter().any(|g| g.rope.is_some() && g.class.name() == class) => {
                 found.push(unknown_class(document, &path, class, groups));
@@ -227,11 +232,12 @@ fn folds(cut: &CutWeb, class: &str, stitching: &Stitching, reach: f64, position:
     // by their place along one axis, so that few are looked at
     let mut along: Vec<usize> = (0..cut.nodes.len()).filter(|&node| !neighbours[node].is_empty()).collect();
     along.sort_by(|&a, &b| position[a].x.total_cmp(&position[b].x));
+    let every = stitching.every.map_or(1, |every| every.get() as usize);
     let mut passed = vec![false; cut.nodes.len()];
     let mut spans = Vec::new();
     let ropes = (0..cut.ropes.len()).filter(|&rope| cut.web.ropes[rope].class.name() == class);
     for (place, node) in ropes.flat_map(|rope| cut.nodes_of(rope).into_iter().enumerate()) {
-        if std::mem::replace(&mut passed[node], true) || !place.is_multiple_of(stitching.every.get() as usize) {
+        if std::mem::replace(&mut passed[node], true) || !place.is_multiple_of(every) {
             continue;
         }
         let same_fold = within(2.0 * reach, node, &neighbours);
@@ -249,17 +255,39 @@ fn folds(cut: &CutWeb, class: &str, stitching: &Stitching, reach: f64, position:
 
 /// The nodes to which there are at most `way` metres of rope from `start`, which is one of them.
 fn within(way: f64, start: usize, neighbours: &[Vec<(usize, f64)>]) -> BTreeSet<usize> {
-    let mut ways = BTreeMap::from([(start, 0.0)]);
-    let mut open = vec![start];
-    while let Some(node) = open.pop() {
-        let so_far = ways[&node];
-        for &(next, length) in &neighbours[node] {
-            let on = so_far + length;
-            if on <= way && ways.get(&next).is_none_or(|known| on < *known) {
-                ways.insert(next, on);
-                open.push(next);
-            }
+    let mut settled = BTreeSet::new();
+    let mut open = BinaryHeap::from([Reverse(Reached { along: 0.0, node: start })]);
+    while let Some(Reverse(Reached { along, node })) = open.pop() {
+        if settled.insert(node) {
+            let on = neighbours[node].iter().map(|&(next, length)| Reached { along: along + length, node: next });
+            open.extend(on.filter(|on| on.along <= way && !settled.contains(&on.node)).map(Reverse));
         }
     }
-    ways.into_keys().collect()
+    settled
 }
+
+/// A node and the way along the ropes to it, m; the nearest first.
+struct Reached {
+    along: f64,
+    node: usize,
+}
+
+impl Ord for Reached {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.along.total_cmp(&other.along).then(self.node.cmp(&other.node))
+    }
+}
+
+impl PartialOrd for Reached {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Reached {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Reached {}

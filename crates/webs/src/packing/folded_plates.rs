@@ -22,6 +22,9 @@ const LEAN: f64 = 1e-6;
 impl StiffPlate {
     /// Puts plates into a web that has been folded, and says how each is turned against the flat web, in their order.
     pub fn lay_in_folds(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) -> Vec<DMat3> {
+        if plates.is_empty() {
+            return Vec::new();
+        }
         let folded = packed.to_vec();
         let mut turns = vec![DMat3::IDENTITY; plates.len()];
         for (plate, turn) in plates.iter().zip(&mut turns) {

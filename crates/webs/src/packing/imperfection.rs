@@ -16,10 +16,11 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3, dvec2};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 
 use super::ties::{self, Tie};
 use crate::CutWeb;
+use crate::chance::uniform;
 
 /// How a packed web differs from its pattern.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,10 +125,8 @@ fn reach(from: DVec3, way: DVec3, length: f64) -> f64 {
 
 /// Two independent normal deviates.
 fn normal_pair(random: &mut ChaCha8Rng) -> DVec2 {
-    // of 53 bits, from 0 but never 1
-    let mut uniform = || (random.next_u64() >> 11) as f64 * (0.5 / (1_u64 << 52) as f64);
-    let radius = (-2.0 * libm::log(1.0 - uniform())).sqrt();
-    let angle = TAU * uniform();
+    let radius = (-2.0 * libm::log(1.0 - uniform(random))).sqrt();
+    let angle = TAU * uniform(random);
     dvec2(radius * libm::cos(angle), radius * libm::sin(angle))
 }
 

@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 
 use crate::CutWeb;
+use crate::chance::uniform;
 
 /// A sector; angles in rad, anticlockwise from x of the flat web.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,8 +29,7 @@ impl Sector {
     pub fn by_chance(width: f64, seed: u64) -> Sector {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
-        let share = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-        Sector { direction: TAU * share, width }
+        Sector { direction: TAU * uniform(&mut random), width }
     }
 
     /// Which nodes lie in it, (nodes,); the web's middle and what lies on an edge do.
