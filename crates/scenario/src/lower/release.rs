@@ -8,7 +8,7 @@ use netcast_dynamics::system::SystemParts;
 use netcast_webs::{CutWeb, Sector};
 
 use super::launch::{Throw, Thrown};
-use super::unknown_knot;
+use super::selection::unknown_knot;
 use crate::diagnostic::Diagnostics;
 use crate::document::Document;
 use crate::scenario::Scenario;

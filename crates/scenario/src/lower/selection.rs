@@ -1,14 +1,15 @@
-//! Which nodes a load or a drive acts on, or are tied.
+//! Which nodes a load or a drive acts on, are tied, or stay put.
 
 use netcast_webs::CutWeb;
 
-use super::unknown_knot;
-use crate::diagnostic::Diagnostics;
+use super::binding::Bound;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::drive::Drive;
 use crate::load::Load;
 use crate::nearest::nearest;
 use crate::path::Path;
+use crate::scenario::Scenario;
 use crate::tie::BreakTie;
 
 /// What a scenario names.
@@ -70,5 +71,46 @@ impl Selection<'_> {
         nodes.sort_unstable();
         nodes.dedup();
         Ok(nodes)
+    }
+}
+
+/// The nodes that stay put: `[hold]` and what a graph's file says.
+pub fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bound]) -> Result<Vec<bool>, Diagnostics> {
+    let mut held = vec![false; cut.nodes.len()];
+    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+        held[node] = row.fixed;
+    }
+    let Some(hold) = &scenario.hold else { return Ok(held) };
+    let mut found = Vec::new();
+    if hold.corners {
+        if cut.web.corners.is_empty() {
+            found.push(document.diagnostic("hold.corners", "the web names no corners"));
+        }
+        for &corner in &cut.web.corners {
+            held[corner] = true;
+        }
+    }
+    for (index, id) in hold.nodes.iter().enumerate() {
+        let is_bound = |knot: usize| bound.iter().flat_map(|bound| &bound.body.ties).any(|tie| tie.node == knot);
+        match cut.web.knot_named(id) {
+            Some(knot) if is_bound(knot) => {
+                let message = format!("{id:?} is a part of a rigid body, which cannot be held at one of its points");
+                found.push(document.diagnostic(&format!("hold.nodes.{index}"), message));
+            }
+            Some(knot) => held[knot] = true,
+            None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
+        }
+    }
+    Diagnostics::fail_if_any(found)?;
+    Ok(held)
+}
+
+/// That there is no knot `id`, with the nearest that there is.
+pub fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diagnostic {
+    let known: Vec<&str> = cut.web.knots.iter().map(|k| &k.name[..]).collect();
+    let diagnostic = document.diagnostic(path, format!("unknown node {id:?}"));
+    match nearest(id, &known) {
+        Some(near) => diagnostic.with_help(format!("did you mean {near:?}?")),
+        None => diagnostic.with_help("`netcast stow --write FILE.csv` lists the names of all nodes"),
     }
 }

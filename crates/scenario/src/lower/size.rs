@@ -5,7 +5,7 @@
 
 use netcast_webs::{MOST_SEGMENTS, Web};
 
-use super::MOST_ROWS;
+use super::stepping::MOST_ROWS;
 use crate::canopy::Canopy;
 use crate::csv_files::GraphFiles;
 use crate::diagnostic::Diagnostics;

@@ -15,8 +15,7 @@ use netcast_webs::{Class, CutWeb};
 
 use super::loads::unknown_class;
 use super::material::{Group, Member, Part};
-use super::selection::Selection;
-use super::unknown_knot;
+use super::selection::{Selection, unknown_knot};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::document::Document;
 use crate::interval::Positive;
