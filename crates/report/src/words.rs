@@ -348,6 +348,10 @@ fn mouth(summary: &Value) -> Option<String> {
 }
 
 fn hang(summary: &Value) -> Option<String> {
+    // beside an orbit nothing hangs about an apex
+    if summary["energy"]["channels"]["orbit"].as_f64().is_some_and(|energy| energy != 0.0) {
+        return None;
+    }
     let flight = &summary["flight"];
     let (apex, hang) = (flight["apex_height_m"].as_f64()?, flight["hang_time_s"].as_f64()?);
     let least = if flight["still_up"].as_bool() == Some(true) { "at least " } else { "" };
@@ -451,6 +455,14 @@ mod tests {
             "posture": {"concave_from_s": 0.004, "concave_to_s": 0.187, "convex_from_s": 0.212},
             "energy": {"closure": 0.0005, "closure_web": 0.0031, "tolerance": 0.003}
         })
+    }
+
+    #[test]
+    fn beside_an_orbit_nothing_hangs_about_an_apex() {
+        let mut summary = full();
+        assert!(words(&summary).iter().any(|told| told.contains("hangs within")));
+        summary["energy"]["channels"] = json!({"orbit": 1e-4});
+        assert!(words(&summary).iter().all(|told| !told.contains("hangs within")));
     }
 
     #[test]
