@@ -226,15 +226,16 @@ pub(crate) struct Losses {
 impl Losses {
     /// Adds the work of the forces of a step, since those of the step before.
     pub fn add_work(&mut self, sums: &StepSums) {
+        let attached = &sums.attached;
         self.rope += sums.rope_work;
-        self.sheet += sums.sheet_work;
-        self.load += sums.load_work;
-        self.drive += sums.drive_work;
-        self.launch += sums.launch_work;
         self.air += sums.air_work;
-        self.added_mass += sums.added_mass_work;
-        self.ground += sums.ground_work;
-        self.rupture += sums.bent_rupture;
+        self.sheet += attached.sheet_work;
+        self.load += attached.load_work;
+        self.drive += attached.drive_work;
+        self.launch += attached.launch_work;
+        self.added_mass += attached.added_mass_work;
+        self.ground += attached.ground_work;
+        self.rupture += attached.rupture;
     }
 
     pub fn add_rupture(&mut self, energy: f64) {

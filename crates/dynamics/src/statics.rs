@@ -15,7 +15,8 @@
 //! its longest arm.
 //!
 //! The step is that of [`crate::time`], hence every force that it knows, and the same bits on any number of threads.
-//! The ground bears and does not rub; an orbit is left out. Wind blows as it does at the start; the drag of the fictitious motion goes with it.
+//! The ground bears and does not rub; an orbit is left out. Wind blows as it does at the start; the drag of the
+//! fictitious motion goes with it.
 //! Ropes have the tensions that last ([`Law::lasting`]), and do not break.
 //!
 //! Sources: Cundall, Explicit finite-difference methods in geomechanics, 1976 (kinetic damping); Barnes, Int. J. Space
@@ -134,7 +135,8 @@ const LEAST_DAMPING: f64 = 1e-12;
 const STEPS_PER_WORD: u64 = 1000;
 
 /// Looks for the equilibrium of `system` that is reached from `state`, on at most `threads` threads; what comes out is
-/// the same for any number. Driven nodes stay where their paths begin, and what moves in `state` or has a launcher is held until then.
+/// the same for any number. Driven nodes stay where their paths begin, and what moves in `state` or has a launcher is held
+/// until then.
 /// `progress` says whether to go on.
 ///
 /// A part of the net that is [`unsupported`] falls for ever, and is given up after `max_iterations`.

@@ -8,7 +8,8 @@
 //! it takes along, C_a = 1 for a circle (Lamb, Hydrodynamics, 1932, art. 68). It is the founding paper's eqs. (13) to
 //! (16) with their matrices in the right order, node by node; docs/theory/air.md. Beside the other forces F it acts as
 //! one more, f = m a - F, whose work is told: so M may turn with the rope. The medium itself is taken not to
-//! accelerate, and what a rigid body's ties or a tube's push would have to do with it is left out. In air it is 0.07 % of a rope's mass, in water half of it and more.
+//! accelerate, and what a rigid body's ties or a tube's push would have to do with it is left out. In air it is 0.07 %
+//! of a rope's mass, in water half of it and more.
 
 use glam::{DMat3, DVec3};
 
@@ -28,7 +29,7 @@ pub(crate) fn arms(system: &System, air: &Air) -> Vec<Vec<Arm>> {
     let mut arms = vec![Vec::new(); system.mass().len()];
     let displaced = air.added_mass * air.medium.density(0.0) * std::f64::consts::FRAC_PI_4;
     for (segment, s) in system.segments().iter().enumerate() {
-        let Some(rope) = air.ropes[s.class].filter(|_| air.added_mass > 0.0) else { continue };
+        let Some(rope) = air.ropes[s.class] else { continue };
         let taken_along = 0.5 * displaced * rope.diameter * rope.diameter * s.rest_length;
         for end in s.ends {
             if system.mass()[end] > 0.0 && !system.held()[end] {

@@ -144,8 +144,8 @@ impl Footing {
 }
 
 impl Hull {
-    /// A point of `body`, or of a sphere about it, which has `mass`, kg: the mass that the ground meets there is that of centre and turning
-    /// together, m / (1 + r^2/g^2), g the least radius of gyration.
+    /// A point of `body`, or of a sphere about it, which has `mass`, kg: the mass that the ground meets there is that of
+    /// centre and turning together, m / (1 + r^2/g^2), g the least radius of gyration.
     pub fn new(
         index: usize,
         body: &Body,

@@ -69,8 +69,8 @@ impl<'a> Airborne<'a> {
     }
 
     /// Adds the drag of sheets and bodies at `time`, s, to `force`, N, (nodes,), and returns the work done on the air
-    /// since the forces before, J. `of_sheet` tells where a node of a sheet is and how it moves, `moving` any node, `turned` how a
-    /// rigid body is turned.
+    /// since the forces before, J. `of_sheet` tells where a node of a sheet is and how it moves, `moving` any node,
+    /// `turned` how a rigid body is turned.
     pub fn drag(
         &mut self,
         team: &Team,
@@ -109,12 +109,11 @@ impl<'a> Airborne<'a> {
     /// before, J. `all` tells all other forces on a node, N; `place` where a node is, m.
     pub fn take_along(
         &mut self,
-        system: &System,
         all: impl Fn(usize, DVec3) -> DVec3,
         place: impl Fn(usize) -> DVec3,
         force: &mut [DVec3],
     ) -> f64 {
-        let mut work = 0.0;
+        let (system, mut work) = (self.system, 0.0);
         for (node, (arms, traced)) in self.arms.iter().zip(&mut self.inertia).enumerate() {
             // what has lost its last segment has pulled until now
             if arms.is_empty() && !traced.is_acting() {

@@ -276,7 +276,7 @@ impl<'a> Attached<'a> {
             });
         }
         if let Some(airborne) = &mut self.airborne {
-            self.sums.added_mass_work = airborne.take_along(self.system, &pull, at, &mut self.force);
+            self.sums.added_mass_work = airborne.take_along(&pull, at, &mut self.force);
         }
         for (drive, traced) in self.system.drives().iter().zip(&mut self.driven) {
             self.sums.drive_work += traced.work(pull(drive.node, self.force[drive.node]), at(drive.node));

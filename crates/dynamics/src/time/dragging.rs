@@ -125,6 +125,12 @@ impl Ropes {
     }
 }
 
+/// The wind relative to the middle of a segment whose ends move at `u` and `v`, m/s: a mean in some direction, and a gust.
+#[inline(always)]
+fn relative((direction, mean, gust): ([f64; 3], f64, [f64; 3]), u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| (direction[k] * mean + gust[k]) - 0.5 * (u[k] + v[k]))
+}
+
 /// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
 #[inline(always)]
 pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
@@ -136,14 +142,12 @@ pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gu
     let ([x, y, z], [u, v, w]) = (&nodes.x, &nodes.w);
     let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
     let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
-    let direction = air.wind.direction;
+    let direction = air.wind.direction.to_array();
     for i in 0..n {
         density[i] = air.medium.density(0.5 * (z0[i] + z1[i]));
         if by_reynolds {
             let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
-            let velocity = [0.5 * (u0[i] + u1[i]), 0.5 * (v0[i] + v1[i]), 0.5 * (w0[i] + w1[i])];
-            let wind = [direction.x * mean[i], direction.y * mean[i], direction.z * mean[i]];
-            let relative: [f64; 3] = std::array::from_fn(|k| (wind[k] + gust[k]) - velocity[k]);
+            let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
             reynolds[i] = density[i] * Met::new(span, relative).across * per_viscosity;
             coefficient[i] = plain_coefficient(reynolds[i]);
         }
@@ -188,9 +192,7 @@ fn drag_each(
     let (hx, hy, hz, mx, my, mz) = (&mut hx[..n], &mut hy[..n], &mut hz[..n], &mut mx[..n], &mut my[..n], &mut mz[..n]);
     for i in 0..n {
         let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
-        let velocity = [0.5 * (u0[i] + u1[i]), 0.5 * (v0[i] + v1[i]), 0.5 * (w0[i] + w1[i])];
-        let wind = [direction[0] * mean[i], direction[1] * mean[i], direction[2] * mean[i]];
-        let relative: [f64; 3] = std::array::from_fn(|k| (wind[k] + gust[k]) - velocity[k]);
+        let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
         let half = Met::new(span, relative).force(coefficient[i], tangential, density[i] * half_area[i]);
         let middle = [0.5 * (x0[i] + x1[i]), 0.5 * (y0[i] + y1[i]), 0.5 * (z0[i] + z1[i])];
         work[i] = -((hx[i] + half[0]) * (middle[0] - mx[i])

@@ -102,24 +102,12 @@ pub struct StepSums {
     pub rope_work: f64,
     /// Power lost to mass-proportional damping at the step before, W.
     pub mass_power: f64,
-    /// Work of the loads that are brought up in time, since the forces before, J.
-    pub load_work: f64,
-    /// Work done on what drives nodes since the forces before, J.
-    pub drive_work: f64,
-    /// Work lost inside sheets since the forces before, J.
-    pub sheet_work: f64,
     /// Number of segments that break in this step; [`Stepper::failing`] says which.
     pub failing: usize,
-    /// Work done on launchers since the forces before, J.
-    pub launch_work: f64,
     /// Work done on the air since the forces before, J.
     pub air_work: f64,
-    /// Work done on the medium's inertia since the forces before, J.
-    pub added_mass_work: f64,
-    /// Work lost to the ground since the forces before, J.
-    pub ground_work: f64,
-    /// Elastic energy of the bends that go with segments which break in this step, J.
-    pub bent_rupture: f64,
+    /// What the rest did that is attached.
+    pub attached: AttachedSums,
 }
 
 /// A net in motion.
@@ -372,31 +360,14 @@ impl<'a> Stepper<'a> {
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let AttachedSums {
-            load_work,
-            drive_work,
-            turning,
-            bending_work,
-            sheet_work,
-            launch_work,
-            air_work,
-            added_mass_work,
-            ground_work,
-            rupture,
-        } = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
+        let attached = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
+        let dragging = self.ropes.iter().filter_map(|ropes| ropes.dragging.as_ref());
         StepSums {
-            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + bending_work,
-            mass_power: self.system.environment().mass_damping * (squares + turning),
-            load_work,
-            drive_work,
-            sheet_work,
+            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + attached.bending_work,
+            mass_power: self.system.environment().mass_damping * (squares + attached.turning),
             failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
-            launch_work,
-            air_work: self.ropes.iter().filter_map(|ropes| ropes.dragging.as_ref()).map(|drag| drag.work).sum::<f64>()
-                + air_work,
-            added_mass_work,
-            ground_work,
-            bent_rupture: rupture,
+            air_work: dragging.map(|drag| drag.work).sum::<f64>() + attached.air_work,
+            attached,
         }
     }
 
