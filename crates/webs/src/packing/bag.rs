@@ -83,14 +83,9 @@ impl Shape {
 mod tests {
     use proptest::prelude::*;
 
+    use super::super::longest_stretch;
     use super::*;
     use crate::{Cutting, Diamond, Radial, cut, diamond, polygon, radial, space, square, topological, traditional};
-
-    fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
-        net.segments()
-            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
-            .fold(-1.0, f64::max)
-    }
 
     fn paper_web() -> CutWeb {
         let web = space(2.5, 0.14).unwrap().with_traction(1.0355, 1).unwrap();

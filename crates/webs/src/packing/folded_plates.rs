@@ -87,6 +87,7 @@ fn nearest_rotation([a, b]: [DVec3; 2]) -> Option<DMat3> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::longest_stretch;
     use super::*;
     use crate::{Container, Cutting, Folded, Folding, Mouth, Pattern, cut, space};
 
@@ -102,12 +103,6 @@ mod tests {
         });
         let plates = plates.collect();
         (net, plates)
-    }
-
-    fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
-        net.segments()
-            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
-            .fold(-1.0, f64::max)
     }
 
     #[test]

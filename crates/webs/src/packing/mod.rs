@@ -172,3 +172,11 @@ pub enum PackingError {
     #[error("the position of {0} is not a number")]
     NotFinite(String),
 }
+
+/// The longest stretch of any segment of a packed web, over its rest length.
+#[cfg(test)]
+fn longest_stretch(net: &crate::CutWeb, packed: &[glam::DVec3]) -> f64 {
+    net.segments()
+        .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
+        .fold(-1.0, f64::max)
+}

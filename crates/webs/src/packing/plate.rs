@@ -73,6 +73,7 @@ impl StiffPlate {
 
 #[cfg(test)]
 mod tests {
+    use super::super::longest_stretch;
     use super::*;
     use crate::{Bag, Cutting, Pattern, Scale, cut, space};
 
@@ -81,12 +82,6 @@ mod tests {
         let plates = net.web.canopies.iter().enumerate();
         let plates = plates.map(|(canopy, c)| StiffPlate { canopy, nodes: c.rim.to_vec() }).collect();
         (net, plates)
-    }
-
-    fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
-        net.segments()
-            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
-            .fold(-1.0, f64::max)
     }
 
     #[test]

@@ -312,6 +312,7 @@ fn lumped(packing: &Prescribed, cut_web: &CutWeb, ends: &[Vec<usize>]) -> Vec<f6
 
 #[cfg(test)]
 mod tests {
+    use super::super::longest_stretch;
     use super::*;
     use crate::{Cutting, Graph, GraphNode, GraphRope, cut, graph, polygon, space, square, traditional};
 
@@ -329,12 +330,6 @@ mod tests {
             plates: Vec::new(),
             mouth: Mouth::default(),
         }
-    }
-
-    fn longest_stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
-        net.segments()
-            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
-            .fold(-1.0, f64::max)
     }
 
     #[test]
