@@ -88,6 +88,23 @@ impl Run {
     }
 }
 
+/// The folder of the scenarios that restarts are tested with, and of the files that they name.
+pub fn resume() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("resume")
+}
+
+/// The files of a folder whose names end with `.kind`, sorted by name; those of folders within it are not among them.
+///
+/// # Panics
+/// Where there is no such folder.
+pub fn files_of_kind(folder: &Path, kind: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("an entry of a folder").path());
+    let mut files: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|found| found == kind)).collect();
+    files.sort();
+    files
+}
+
 /// The folder of the shipped examples.
 pub fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")

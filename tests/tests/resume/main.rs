@@ -11,7 +11,7 @@ use netcast::results::{CheckpointEvery, ResultError, folder};
 use netcast::{Document, Progress, Ran, RunError, RunOptions, run};
 use tempfile::TempDir;
 
-use scenarios::{SCENARIOS, missing, read, write_files};
+use scenarios::{missing, read, scenario, scenarios, write_files};
 
 /// A folder with the files that scenarios name.
 fn workbench() -> TempDir {
@@ -74,15 +74,14 @@ fn interrupt(document: &Document, target: &Path, records: usize, threads: [usize
 
 #[test]
 fn the_scenarios_hold_everything_that_a_scenario_can_hold() {
-    assert_eq!(missing(), [""; 0], "give tests/resume/scenarios.rs a scenario with it");
+    assert_eq!(missing(), [""; 0], "give tests/resume/ a scenario with it");
 }
 
 /// What a scenario is there for has to happen within its few records.
 #[test]
 fn what_is_thrown_from_the_ground_rubs_on_it() {
     let workbench = workbench();
-    let (_, text) = SCENARIOS.iter().find(|(name, _)| *name == "thrown from the ground").unwrap();
-    let document = read(text, workbench.path());
+    let document = read(&scenario("thrown_from_the_ground"), workbench.path());
     let (ran, _) = run_for(&document, &workbench.path().join("whole"), &options(1, false), usize::MAX);
     assert!(ran.summary.energy.channels["ground_friction"] > 0.0, "{:?}", ran.summary.energy.channels);
 }
@@ -91,7 +90,7 @@ fn what_is_thrown_from_the_ground_rubs_on_it() {
 fn whatever_a_run_holds_it_goes_on_to_the_same_bytes() {
     let workbench = workbench();
     let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
-    for (name, text) in SCENARIOS {
+    for (name, text) in &scenarios() {
         let document = read(text, workbench.path());
         let records = run_to_end(&document, &whole, &options(1, false));
         if document.scenario.solve.run_time().is_none() {
@@ -133,8 +132,7 @@ record.every = "20 us"
 fn a_run_that_is_interrupted_at_every_record_comes_to_the_same_end() {
     let workbench = workbench();
     let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
-    let (_, text) = SCENARIOS[0];
-    let document = read(text, workbench.path());
+    let document = read(&scenario("space_web_everything_on_board"), workbench.path());
     run_to_end(&document, &whole, &options(1, false));
     let (mut ran, _) = run_for(&document, &resumed, &options(1, false), 1);
     let mut times = 1;
@@ -150,8 +148,7 @@ fn a_run_that_is_interrupted_at_every_record_comes_to_the_same_end() {
 fn checkpoints_on_the_way_change_nothing() {
     let workbench = workbench();
     let (whole, kept) = (workbench.path().join("whole"), workbench.path().join("kept"));
-    let (_, text) = SCENARIOS[3];
-    let document = read(text, workbench.path());
+    let document = read(&scenario("traditional_web_no_two_tractors_alike"), workbench.path());
     run_to_end(&document, &whole, &options(1, false));
     for every in [CheckpointEvery::Simulated(1e-9), CheckpointEvery::Clock(Default::default())] {
         run_to_end(&document, &kept, &RunOptions { checkpoint_every: every, ..options(1, false) });
@@ -163,8 +160,8 @@ fn checkpoints_on_the_way_change_nothing() {
 fn only_the_same_run_goes_on_and_what_differs_is_told() {
     let workbench = workbench();
     let target = workbench.path().join("net");
-    let (_, text) = SCENARIOS[7];
-    run_for(&read(text, workbench.path()), &target, &options(1, false), 3);
+    let text = scenario("graph_stowed_from_a_file_one_knot_held");
+    run_for(&read(&text, workbench.path()), &target, &options(1, false), 3);
     let before = bytes(&target);
 
     let faster = text.replace("20 m/s", "30 m/s");
@@ -174,7 +171,7 @@ fn only_the_same_run_goes_on_and_what_differs_is_told() {
 
     let nodes = fs::read_to_string(workbench.path().join("nodes.csv")).unwrap();
     fs::write(workbench.path().join("nodes.csv"), nodes.replace("0.1", "0.2")).unwrap();
-    let refused = run(&read(text, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
+    let refused = run(&read(&text, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
     let told = refused.unwrap_err().to_string();
     assert!(told.contains("nodes.csv has changed"), "{told}");
 
@@ -182,14 +179,14 @@ fn only_the_same_run_goes_on_and_what_differs_is_told() {
     assert!(bytes(&target) == before);
     assert!(!workbench.path().join("net.running").exists());
     fs::write(workbench.path().join("nodes.csv"), nodes).unwrap();
-    run_to_end(&read(text, workbench.path()), &target, &options(1, true));
+    run_to_end(&read(&text, workbench.path()), &target, &options(1, true));
 }
 
 #[test]
 fn a_run_that_came_to_its_end_does_not_go_on() {
     let workbench = workbench();
     let target = workbench.path().join("net");
-    let document = read(SCENARIOS[8].1, workbench.path());
+    let document = read(&scenario("square_net_with_a_drawstring"), workbench.path());
     let resumed = || run(&document, &target, &options(1, true), &mut |_| {}, &|| false);
     let nothing = |error: RunError| matches!(error, RunError::Result(ResultError::NothingToResume { .. }));
     assert!(nothing(resumed().unwrap_err()));
