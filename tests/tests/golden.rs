@@ -25,13 +25,14 @@ use sha2::{Digest, Sha256};
 use tempfile::TempDir;
 
 /// The examples that take more than a few seconds, the longest first.
-const LONG: [&str; 6] = [
-    "examples/03_space_web/canopies/cloth",
+const LONG: [&str; 7] = [
     "examples/03_space_web/canopies/plate",
+    "examples/03_space_web/canopies/cloth",
     "examples/03_space_web/canopies/rigid",
     "examples/03_space_web/space_web",
-    "examples/01_traditional_web/traditional_web",
     "examples/02_topological_web/topological_web",
+    "examples/01_traditional_web/traditional_web",
+    "examples/12_from_the_ground/from_the_ground",
 ];
 
 /// How the record is written anew.
