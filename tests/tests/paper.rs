@@ -1,6 +1,6 @@
 //! The three webs of the founding paper, run from their example folders, beside what the paper reports.
 //!
-//! The README's table is held to these runs: it is printed by `cargo test -p netcast-tests --test paper --
+//! The table of docs/validation/paper.md is held to these runs: it is printed by `cargo test -p netcast-tests --test paper --
 //! --nocapture`.
 
 use std::fmt::Write;
@@ -129,8 +129,8 @@ fn the_three_webs_come_out_as_the_paper_says() {
     let table = table(&runs);
     println!("{table}");
     assert!(faults.is_empty(), "{faults:#?}");
-    let readme = std::fs::read_to_string(root().join("README.md")).expect("there is a README");
-    assert!(readme.contains(&table), "the README's table is not that of this run:\n{table}");
+    let page = std::fs::read_to_string(root().join("docs/validation/paper.md")).expect("there is such a page");
+    assert!(page.contains(&table), "the table of docs/validation/paper.md is not that of this run:\n{table}");
 }
 
 /// The feature points in the order in which they start.
@@ -141,7 +141,7 @@ fn order_of_start(summary: &Summary) -> String {
     names.join(", ")
 }
 
-/// The README's table.
+/// The table of docs/validation/paper.md.
 fn table(runs: &[(Reported, Summary)]) -> String {
     let mut table = String::new();
     let mut row = |name: &str, cell: &dyn Fn(&Reported, &Summary) -> (String, String)| {
