@@ -1,5 +1,4 @@
-//! What is thrown, before any physics: knots, ropes and canopies of each kind of web, cut into segments, packed, and
-//! counted.
+//! What is thrown: knots, ropes and canopies of each kind of web, cut into segments, packed, and counted.
 //!
 //! ```text
 //! square(..) traditional(..)   ──▶ Web ──with_traction──▶ Web ──cut──▶ CutWeb ──Pattern::pack──▶ positions
@@ -8,8 +7,11 @@
 //! diamond(..) graph(..)             └ with_gathering
 //! ```
 //!
-//! Everything here is geometry in SI units: metres, kilograms, no files, no forces. A web is drawn flat in the plane
-//! z = 0; a packed web lies in the launch frame, whose +z is the launch axis and whose plane z = 0 is the muzzle.
+//! Units are SI. Nothing here reads or writes a file. A web is drawn flat in the plane z = 0. A packed web lies in the
+//! launch frame: its +z is the launch axis, its plane z = 0 the muzzle.
+//!
+//! All of this is geometry, with one exception: [`Prescribed`] lets a web settle in its container under gravity, by
+//! position-based dynamics (`packing/position_based/`). A run takes positions from it, and no velocity or force.
 //!
 //! ```
 //! use netcast_webs::{Bag, Cutting, Pattern, cut, space};

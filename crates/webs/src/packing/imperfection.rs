@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3, dvec2};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use super::ties::{self, Tie};
+use super::distance_limits::{self, DistanceLimit};
 use crate::CutWeb;
 use crate::chance::uniform;
 
@@ -42,8 +42,9 @@ const ROUNDING: f64 = 1e-12;
 impl Imperfection {
     /// Disturbs the nodes of a packed web that are listed in `is_part`.
     pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
-        let is_within = |tie: &Tie| tie.ends.iter().all(|&end| is_part[end]);
-        let ties: Vec<Tie> = ties::of_ropes(cut_web).chain(ties::of_canopies(cut_web)).filter(is_within).collect();
+        let is_within = |limit: &DistanceLimit| limit.ends.iter().all(|&end| is_part[end]);
+        let limits = distance_limits::of_ropes(cut_web).chain(distance_limits::of_canopies(cut_web));
+        let limits: Vec<DistanceLimit> = limits.filter(is_within).collect();
         let parts: Vec<usize> = (0..packed.len()).filter(|&node| is_part[node]).collect();
         let top = parts.iter().map(|&node| packed[node].z).fold(f64::NEG_INFINITY, f64::max);
         let bottom = parts.iter().map(|&node| packed[node].z).fold(f64::INFINITY, f64::min);
@@ -54,14 +55,14 @@ impl Imperfection {
                 packed[node] = turned.extend(packed[node].z);
             }
         }
-        let stretch = |tie: &Tie| packed[tie.ends[0]].distance(packed[tie.ends[1]]) / tie.length;
-        let longest = ties.iter().map(stretch).fold(0.0, f64::max);
+        let stretch = |limit: &DistanceLimit| packed[limit.ends[0]].distance(packed[limit.ends[1]]) / limit.length;
+        let longest = limits.iter().map(stretch).fold(0.0, f64::max);
         let factor = (1.0 - self.slack) / if longest > 1.0 + ROUNDING { longest } else { 1.0 };
         let anchor = DVec3::Z * top;
         for &node in &parts {
             packed[node] = anchor + (packed[node] - anchor) * factor;
         }
-        self.scatter(&groups(cut_web, &parts), &Neighbours::of(&ties, packed.len()), packed);
+        self.scatter(&groups(cut_web, &parts), &Neighbours::of(&limits, packed.len()), packed);
     }
 
     fn scatter(&self, groups: &[Vec<usize>], neighbours: &Neighbours, packed: &mut [DVec3]) {
@@ -96,9 +97,11 @@ struct Neighbours {
 }
 
 impl Neighbours {
-    fn of(ties: &[Tie], nodes: usize) -> Neighbours {
-        let mut directed: Vec<(usize, usize, f64)> =
-            ties.iter().flat_map(|&Tie { ends: [a, b], length }| [(a, b, length), (b, a, length)]).collect();
+    fn of(limits: &[DistanceLimit], nodes: usize) -> Neighbours {
+        let mut directed: Vec<(usize, usize, f64)> = Vec::with_capacity(2 * limits.len());
+        for &DistanceLimit { ends: [a, b], length } in limits {
+            directed.extend([(a, b, length), (b, a, length)]);
+        }
         directed.sort_by_key(|&(from, to, _)| (from, to));
         let first = (0..=nodes).map(|node| directed.partition_point(|&(from, ..)| from < node)).collect();
         Neighbours { first, ties: directed.into_iter().map(|(_, to, length)| (to, length)).collect() }

@@ -1,26 +1,26 @@
 //! Packing: where each node lies when the web is stowed, before it is launched.
 //!
-//! A pattern maps a cut web to positions in the launch frame: +z is the launch axis, z = 0 the muzzle. Rest lengths
-//! are kept: a pattern may let ropes hang slack, and [`audit`] tells whether it stretches any.
+//! A [`Pattern`] maps a cut web to positions in the launch frame: +z is the launch axis, z = 0 the muzzle. [`Prescribed`]
+//! computes them as a motion; its module `position_based` says how. Rest lengths are kept: a packed rope may be slack.
+//! [`audit`] finds ropes that are stretched, [`closeness`] ropes that overlap.
 
 mod audit;
 mod bag;
 mod bend;
 mod closeness;
 mod container;
+mod distance_limits;
 mod folded;
-mod folded_plates;
 mod folds;
 mod given;
 mod imperfection;
 mod mouth;
 mod plate;
-mod prescribed;
+mod position_based;
 mod rings;
 mod scale;
 mod sector;
 mod star;
-mod ties;
 
 pub use audit::{Audit, LongestStretch, Size, StowedSegment, audit};
 pub use bag::Bag;
@@ -31,7 +31,7 @@ pub use given::Given;
 pub use imperfection::Imperfection;
 pub use mouth::Mouth;
 pub use plate::StiffPlate;
-pub use prescribed::{Led, Prescribed, Settled};
+pub use position_based::{Led, Prescribed, Settled};
 pub use scale::Scale;
 pub use sector::Sector;
 

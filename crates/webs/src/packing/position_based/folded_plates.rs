@@ -1,26 +1,19 @@
-//! Stiff canopies in a folded web: laid into its layers, and what that stretches drawn in.
+//! Plates in a folded web: canopies that keep their shape are laid into its layers, and ropes that this would stretch pull
+//! the web in.
 //!
 //! A fold moves a plate that lies within one leg as it is. Where a bend goes through a plate, the plate takes the place
-//! and the attitude that fit its bent corners best; then its corners are not where the fold has put them, and ropes may
-//! be too short. So the web is drawn in about such plates (`ties.rs`). Tractors stay.
-//!
-//! The attitude is the orthogonal factor of M = sum x q* over the corners, q in the flat plate and x as they are, both
-//! from their means: R = M (M* M)^(-1/2), the rotation that is nearest in least squares.
+//! and the attitude that fit its bent corners best. Its corners then lie beside the places that the fold has given them,
+//! and ropes may be too short. The web is therefore drawn in about its plates; tractors stay.
 
-use glam::{DMat2, DMat3, DVec2, DVec3, dvec2};
+use glam::{DMat3, DVec3};
 
-use super::plate::StiffPlate;
-use super::ties::{self, Drawn, Tie};
+use super::projection::Projection;
 use crate::CutWeb;
-
-/// Corners nearer to one line than that, relative, do not say how a plate is turned about it.
-const FLAT: f64 = 1e-9;
-
-/// By how much it then leans to how it was turned before, relative.
-const LEAN: f64 = 1e-6;
+use crate::packing::StiffPlate;
+use crate::packing::distance_limits::{self, DistanceLimit};
 
 impl StiffPlate {
-    /// Puts plates into a web that has been folded, and says how each is turned against the flat web, in their order.
+    /// Lays plates into a folded web. Returns the rotation of each against the flat web, (plates,).
     pub fn lay_in_folds(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) -> Vec<DMat3> {
         if plates.is_empty() {
             return Vec::new();
@@ -39,56 +32,23 @@ impl StiffPlate {
                 packed[node] += a.lerp(b, f64::from(place) / cut.segments as f64);
             }
         }
-        let mut ease = vec![1.0; packed.len()];
-        let is_on_a_plate = |knot: &usize| plates.iter().any(|plate| plate.nodes.contains(knot));
-        cut_web.web.tractors.iter().filter(|&knot| !is_on_a_plate(knot)).for_each(|&knot| ease[knot] = 0.0);
-        let ties: Vec<Tie> = ties::of_ropes(cut_web).collect();
-        Drawn { cut_web, ties: &ties, plates, ease: &ease }.draw_in(&mut turns, packed);
+        // nothing has a mass here: every node weighs the same, and tractors stay unless they ride on a plate
+        let mut inverse_mass = vec![1.0; packed.len()];
+        for &knot in &cut_web.web.tractors {
+            if !plates.iter().any(|plate| plate.nodes.contains(&knot)) {
+                inverse_mass[knot] = 0.0;
+            }
+        }
+        let limits: Vec<DistanceLimit> = distance_limits::of_ropes(cut_web).collect();
+        Projection { cut_web, limits: &limits, plates, inverse_mass: &inverse_mass }.draw_in(&mut turns, packed);
         turns
     }
 }
 
-impl StiffPlate {
-    /// Moves its hub to the mean of its corners, and says which attitude fits these best; where a fold in half leaves that
-    /// open, the one nearest to `before`.
-    pub(super) fn fit_corners(&self, cut_web: &CutWeb, before: DMat3, packed: &mut [DVec3]) -> DMat3 {
-        let canopy = &cut_web.web.canopies[self.canopy];
-        let middle = canopy.rim.iter().map(|&knot| packed[knot]).sum::<DVec3>() / canopy.rim.len() as f64;
-        let mut columns = [DVec3::ZERO; 2];
-        for &knot in &canopy.rim {
-            let flat = (cut_web.nodes[knot] - cut_web.nodes[canopy.hub]).truncate();
-            columns[0] += flat.x * (packed[knot] - middle);
-            columns[1] += flat.y * (packed[knot] - middle);
-        }
-        packed[canopy.hub] = middle;
-        let size = columns[0].length() + columns[1].length();
-        let leaning = [columns[0] + LEAN * size * before.x_axis, columns[1] + LEAN * size * before.y_axis];
-        nearest_rotation(columns).or_else(|| nearest_rotation(leaning)).unwrap_or(before)
-    }
-}
-
-/// The rotation whose first two columns are nearest to these; none where they lie along one line.
-fn nearest_rotation([a, b]: [DVec3; 2]) -> Option<DMat3> {
-    let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
-    // (M* M)^(-1/2) of a matrix of two rows in closed form
-    let root = (aa * bb - ab * ab).max(0.0).sqrt();
-    if root <= FLAT * (aa + bb) {
-        return None;
-    }
-    let scale = 1.0 / (root * (aa + bb + 2.0 * root).sqrt());
-    let inverse = DMat2::from_cols(dvec2(bb + root, -ab), dvec2(-ab, aa + root)) * scale;
-    let column = |c: DVec2| c.x * a + c.y * b;
-    let (x, y) = (column(inverse.x_axis), column(inverse.y_axis));
-    // once more by hand, for rounding
-    let x = x.normalize();
-    let z = x.cross(y).normalize();
-    Some(DMat3::from_cols(x, z.cross(x), z))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::longest_stretch;
     use super::*;
+    use crate::packing::longest_stretch;
     use crate::{Container, Cutting, Folded, Folding, Mouth, Pattern, cut, space};
 
     const SIDE: f64 = 0.14;
@@ -146,18 +106,5 @@ mod tests {
             assert!(turn.abs_diff_eq(turned, 1e-12));
         }
         assert!(exact.iter().zip(&packed).all(|(one, other)| one.distance(*other) < 1e-12));
-    }
-
-    #[test]
-    fn the_nearest_rotation_has_the_least_squares() {
-        let m = [DVec3::new(1.0, 0.3, -0.2), DVec3::new(0.1, 0.7, 0.5)];
-        let found = nearest_rotation(m).unwrap();
-        let distance = |r: DMat3| r.x_axis.distance_squared(m[0]) + r.y_axis.distance_squared(m[1]);
-        for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
-            for angle in [-1e-4, 1e-4] {
-                assert!(distance(DMat3::from_axis_angle(axis, angle) * found) > distance(found));
-            }
-        }
-        assert_eq!(nearest_rotation([DVec3::X, 2.0 * DVec3::X]), None);
     }
 }
