@@ -21,28 +21,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     let spider = Radial { diameter: 5.0, radials: 12, rings: 6, hub_diameter: Some(0.6), corners: 6 };
     let fishing = Diamond { mesh: 0.5, hanging_ratio: 0.5, meshes_wide: 10, meshes_high: 6 };
     let webs = [
-        traditional(2.5, 6)?,
-        topological(2.5, 0.14)?,
-        space(2.5, 0.14)?,
-        square(5.0, 0.5)?.with_gathering(2, 0.1)?,
-        polygon(5, 2.5, 0.4)?,
-        radial(&spider)?,
-        diamond(&fishing)?,
+        ("traditional", traditional(2.5, 6)?),
+        ("topological", topological(2.5, 0.14)?),
+        ("space", space(2.5, 0.14)?),
+        ("square", square(5.0, 0.5)?.with_gathering(2, 0.1)?),
+        ("polygon", polygon(5, 2.5, 0.4)?),
+        ("radial", radial(&spider)?),
+        ("diamond", diamond(&fishing)?),
     ];
-    for web in &webs {
-        fs::write(folder.join(format!("web-{}.svg", web.kind.name())), picture(web)?)?;
+    for (name, web) in &webs {
+        fs::write(folder.join(format!("web-{name}.svg")), picture(name, web)?)?;
     }
     Ok(())
 }
 
 /// The flat web: ropes coloured by class, corners as dots, feature points with their letters.
-fn picture(web: &Web) -> Result<String, Box<dyn Error>> {
+fn picture(name: &str, web: &Web) -> Result<String, Box<dyn Error>> {
     let scale = (0.5 * SIZE - MARGIN) / web.radius();
     let place = |p: DVec3| (0.5 * SIZE + scale * p.x, 0.5 * SIZE - scale * p.y);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIZE} {SIZE}\" width=\"{SIZE}\" height=\"{SIZE}\" \
-         role=\"img\" aria-label=\"The {} web\">\n<rect width=\"{SIZE}\" height=\"{SIZE}\" rx=\"8\" fill=\"#fff\"/>\n",
-        web.kind.name()
+         role=\"img\" aria-label=\"The {name} web\">\n<rect width=\"{SIZE}\" height=\"{SIZE}\" rx=\"8\" fill=\"#fff\"/>\n"
     );
     for canopy in &web.canopies {
         let rim = canopy.rim.map(|knot| place(web.knots[knot].position)).map(|(x, y)| format!("{x:.1},{y:.1}"));

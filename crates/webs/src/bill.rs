@@ -44,33 +44,6 @@ pub struct Parts {
     pub tractor_masses: Vec<f64>,
 }
 
-impl Parts {
-    /// The parts of a web whose ropes all are of one kind, without canopies, payloads and tractors; set those fields
-    /// after.
-    pub fn of_one_rope(web: &Web, rope: RopeKind) -> Parts {
-        Parts {
-            ropes: vec![rope],
-            kind_of_rope: vec![0; web.ropes.len()],
-            canopy: Solid::default(),
-            payload: Solid::default(),
-            tractor_masses: Vec::new(),
-        }
-    }
-
-    /// Gives another kind of rope to a class.
-    pub fn assign(&mut self, web: &Web, class: &Class, rope: RopeKind) {
-        let kind = self.ropes.iter().position(|known| *known == rope).unwrap_or_else(|| {
-            self.ropes.push(rope);
-            self.ropes.len() - 1
-        });
-        for (kind_of_rope, rope) in self.kind_of_rope.iter_mut().zip(&web.ropes) {
-            if rope.class == *class {
-                *kind_of_rope = kind;
-            }
-        }
-    }
-}
-
 /// A kind of rope on the bill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopeLine {
@@ -185,20 +158,31 @@ mod tests {
         RopeKind { name: "10 mm".into(), diameter: 0.01, mass_per_metre: PI / 4.0 * 1e-4 * 1850.0 }
     }
 
+    /// The parts of a web whose ropes all are of one kind, without canopies, payloads and tractors.
+    fn of_one_rope(web: &Web) -> Parts {
+        Parts {
+            ropes: vec![rope()],
+            kind_of_rope: vec![0; web.ropes.len()],
+            canopy: Solid::default(),
+            payload: Solid::default(),
+            tractor_masses: Vec::new(),
+        }
+    }
+
     #[test]
     fn masses_of_the_three_webs() {
-        for (web, expected) in [
-            (traditional(2.5, 6).unwrap(), 13.74),
-            (topological(2.5, 0.14).unwrap(), 19.89),
-            (space(2.5, 0.14).unwrap(), 56.77),
+        for (name, web, expected) in [
+            ("traditional", traditional(2.5, 6).unwrap(), 13.74),
+            ("topological", topological(2.5, 0.14).unwrap(), 19.89),
+            ("space", space(2.5, 0.14).unwrap(), 56.77),
         ] {
             let web = web.with_traction(1.0355, 1).unwrap();
-            let mut parts = Parts::of_one_rope(&web, rope());
+            let mut parts = of_one_rope(&web);
             parts.canopy.mass = 1.018;
             parts.payload.mass = 0.506;
             parts.tractor_masses = vec![27.80; 6];
             let bill = bill(&web, &parts);
-            assert!((bill.web_mass() - expected).abs() < 0.006, "{}: {}", web.kind.name(), bill.web_mass());
+            assert!((bill.web_mass() - expected).abs() < 0.006, "{name}: {}", bill.web_mass());
             let others = 6.0 * (27.80 + 0.1453 * 1.0355);
             assert!((bill.total_mass() - bill.web_mass() - others).abs() < 1e-3);
         }
@@ -207,7 +191,7 @@ mod tests {
     #[test]
     fn the_space_web_has_31_canopies_and_18_payloads() {
         let web = space(2.5, 0.14).unwrap();
-        let bill = bill(&web, &Parts::of_one_rope(&web, rope()));
+        let bill = bill(&web, &of_one_rope(&web));
         assert_eq!((bill.canopies, bill.payloads, bill.rope_count), (31, 18, 180));
         // a plate on the outline has four neighbours, whose sides meet at five of its corners; the sixth corner
         // points outwards and is bare
@@ -217,9 +201,11 @@ mod tests {
     #[test]
     fn classes_can_have_ropes_of_their_own() {
         let web = square(2.0, 1.0).unwrap();
-        let mut parts = Parts::of_one_rope(&web, rope());
-        let thin = RopeKind { name: "thin".into(), diameter: 0.002, mass_per_metre: 0.005 };
-        parts.assign(&web, &Class::Inner, thin);
+        let mut parts = of_one_rope(&web);
+        parts.ropes.push(RopeKind { name: "thin".into(), diameter: 0.002, mass_per_metre: 0.005 });
+        for (kind, rope) in parts.kind_of_rope.iter_mut().zip(&web.ropes) {
+            *kind = usize::from(rope.class == Class::Inner);
+        }
         let bill = bill(&web, &parts);
         let metres: Vec<(&str, f64)> = bill.ropes.iter().map(|line| (line.name.as_str(), line.length)).collect();
         assert_eq!(metres, [("10 mm", 8.0), ("thin", 4.0)]);

@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use crate::error::{in_range, positive};
 use crate::rope_list::RopeList;
-use crate::{Class, Kind, Knot, Site, Web, WebError};
+use crate::{Class, Knot, Site, Web, WebError};
 
 const MOST_MESHES: usize = 1000;
 
@@ -52,21 +52,22 @@ impl Diamond {
 /// D a knot half way between.
 ///
 /// # Errors
-/// [`WebError::Length`], [`WebError::HangingRatio`] and [`WebError::Count`].
+/// [`WebError::Argument`]: any field of [`Diamond`].
 pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     let &Diamond { mesh, hanging_ratio, meshes_wide: m, meshes_high: n } = net;
-    positive("the mesh", mesh)?;
+    positive("mesh", "the mesh", mesh)?;
     if !(hanging_ratio > 0.0 && hanging_ratio < 1.0) {
-        return Err(WebError::HangingRatio { value: hanging_ratio });
+        let fault = format!("the hanging ratio must be greater than 0 and less than 1, not {hanging_ratio}");
+        return Err(WebError::argument("hanging_ratio", fault));
     }
-    in_range("the number of meshes across the width", m, 1, MOST_MESHES)?;
-    in_range("the number of meshes across the height", n, 1, MOST_MESHES)?;
+    in_range("meshes_wide", "the number of meshes across the width", m, 1..=MOST_MESHES)?;
+    in_range("meshes_high", "the number of meshes across the height", n, 1..=MOST_MESHES)?;
 
     // knots in steps of half a mesh: i to the right, j upwards, both even or both odd
     let knot = |i: usize, j: usize| j / 2 * (2 * m + 1) + j % 2 * (m + 1) + i / 2;
     let [width, height] = net.opening();
     let coordinate = |step: usize, half: usize, size: f64| (step as i64 - half as i64) as f64 * (0.5 * size);
-    let mut web = Web::empty(Kind::Diamond);
+    let mut web = Web::default();
     for j in 0..=2 * n {
         for i in (j % 2..=2 * m).step_by(2) {
             let position = DVec3::new(coordinate(i, m, width), coordinate(j, n, height), 0.0);
@@ -97,10 +98,8 @@ pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
 
     // where no knot lies in the centre, a mesh does
     let is_knot = (m + n).is_multiple_of(2);
-    web.centre = match is_knot {
-        true => vec![knot(m, n)],
-        false => vec![knot(m, n - 1), knot(m - 1, n), knot(m + 1, n), knot(m, n + 1)],
-    };
+    web.centre =
+        if is_knot { vec![knot(m, n)] } else { vec![knot(m, n - 1), knot(m - 1, n), knot(m + 1, n), knot(m, n + 1)] };
     let (i, j) = ((3 * m).div_ceil(2), 3 * n / 2);
     web.points = BTreeMap::from([
         ("B".into(), Site::Knot(web.centre[0])),
@@ -117,6 +116,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::error::refused;
     use crate::symmetry::{is_mirrored, is_turned};
     use crate::{Cutting, cut, vector_area};
 
@@ -150,12 +150,12 @@ mod tests {
     #[test]
     fn wrong_sizes_are_refused() {
         for hanging_ratio in [0.0, -0.5, 1.0, 1.5, f64::NAN] {
-            assert!(matches!(diamond(&Diamond { hanging_ratio, ..NET }), Err(WebError::HangingRatio { .. })));
+            assert_eq!(refused(diamond(&Diamond { hanging_ratio, ..NET })), Some("hanging_ratio"));
         }
-        assert!(matches!(diamond(&Diamond { mesh: 0.0, ..NET }), Err(WebError::Length { .. })));
+        assert_eq!(refused(diamond(&Diamond { mesh: 0.0, ..NET })), Some("mesh"));
         for meshes in [0, 1001] {
-            assert!(matches!(diamond(&Diamond { meshes_wide: meshes, ..NET }), Err(WebError::Count { .. })));
-            assert!(matches!(diamond(&Diamond { meshes_high: meshes, ..NET }), Err(WebError::Count { .. })));
+            assert_eq!(refused(diamond(&Diamond { meshes_wide: meshes, ..NET })), Some("meshes_wide"));
+            assert_eq!(refused(diamond(&Diamond { meshes_high: meshes, ..NET })), Some("meshes_high"));
         }
     }
 

@@ -1,120 +1,17 @@
-//! What can be wrong with a web as it was asked for.
+//! Faults of a web: arguments that no web can be drawn with, and nets that cannot be tied.
 
-/// A fault in a web's description. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
+use std::ops::RangeInclusive;
+
+/// A fault of a web. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WebError {
-    /// A length that must be positive and finite is not.
-    #[error("{what} must be a positive length, not {value} m")]
-    Length {
-        /// What has this length.
-        what: &'static str,
-        /// Its value, m.
-        value: f64,
-    },
-    /// The traction ropes' length is negative or not a number.
-    #[error(
-        "the traction ropes' length must be zero (tractors tied straight to the corners) or positive, not {value} m"
-    )]
-    TractionLength {
-        /// The length given, m.
-        value: f64,
-    },
-    /// A number of cells or ropes is out of its range.
-    #[error("{what} must be from {least} to {most}, not {value}")]
-    Count {
-        /// What is counted.
-        what: &'static str,
-        /// The number given.
-        value: usize,
-        /// The smallest number allowed.
-        least: usize,
-        /// The largest number allowed.
-        most: usize,
-    },
-    /// The mesh of a square web does not divide its side.
-    #[error(
-        "a mesh of {mesh} m does not divide a side of {side} m into whole cells; {} m or {} m would",
-        rounded(*.coarser), rounded(*.finer)
-    )]
-    MeshDoesNotDivide {
-        /// The side, m.
-        side: f64,
-        /// The mesh given, m.
-        mesh: f64,
-        /// The nearest larger mesh that divides the side, m.
-        coarser: f64,
-        /// The nearest smaller mesh that divides the side, m.
-        finer: f64,
-    },
-    /// The mesh of a square web is larger than its side.
-    #[error("a mesh of {mesh} m is larger than the web's side of {side} m")]
-    MeshTooLarge {
-        /// The side, m.
-        side: f64,
-        /// The mesh given, m.
-        mesh: f64,
-    },
-    /// The mesh of a polygon web is larger than its apothem.
-    #[error("a mesh of {mesh} m is larger than the distance from the middle to a side, {} m", rounded(*.apothem))]
-    MeshBeyondApothem {
-        /// The mesh given, m.
-        mesh: f64,
-        /// The apothem, m.
-        apothem: f64,
-    },
-    /// The hanging ratio of a diamond net is out of its range.
-    #[error("the hanging ratio must be greater than 0 and less than 1, not {value}")]
-    HangingRatio {
-        /// The ratio given.
-        value: f64,
-    },
-    /// The hub of a radial-and-ring web is no smaller than the web.
-    #[error("a hub of {hub} m leaves no room for radials in a web of {diameter} m")]
-    HubTooLarge {
-        /// The hub's diameter, m.
-        hub: f64,
-        /// The web's diameter, m.
-        diameter: f64,
-    },
-    /// The corners of a radial-and-ring web cannot be spread evenly over its radials.
-    #[error("{corners} corners do not lie evenly among {radials} radials; {} would", listed(.evenly))]
-    UnevenCorners {
-        /// The number of corners given.
-        corners: usize,
-        /// The number of radials.
-        radials: usize,
-        /// The numbers of corners that would lie evenly.
-        evenly: Vec<usize>,
-    },
-    /// A gathering rope is not tied to every corner.
-    #[error(
-        "a gathering rope tied to every {every} knots would miss corners of the web: {every} does not divide the {meshes} \
-         meshes of a side"
-    )]
-    TiesMissCorners {
-        /// Knots from one tie to the next.
-        every: usize,
-        /// Knots of the outline from one corner to the next.
-        meshes: usize,
-    },
-    /// A gathering rope would be shorter than the outline.
-    #[error("the excess of a gathering rope must be 0 or more, not {value}")]
-    Excess {
-        /// The excess given, as a share of the outline.
-        value: f64,
-    },
-    /// Canopies or rope hexagons leave no room for the links between them.
-    #[error(
-        "{what} with sides of {side} m leave no room for the ropes between them; their side must be less than {} m",
-        rounded(*.limit)
-    )]
-    PlateTooLarge {
-        /// "canopies" or "rope hexagons".
-        what: &'static str,
-        /// Their side, m.
-        side: f64,
-        /// The side at which neighbours touch, m.
-        limit: f64,
+    /// No web can be drawn with this value of an argument.
+    #[error("{fault}")]
+    Argument {
+        /// The name of the argument, or of the field of an argument, such as "hub_diameter".
+        name: &'static str,
+        /// What is wrong with its value.
+        fault: String,
     },
     /// There is no rope, or no knot.
     #[error("the web is empty: it has {knots} knots and {ropes} ropes")]
@@ -234,22 +131,47 @@ pub enum WebError {
     TractorsTwice,
 }
 
-/// Rounded to six significant figures, so that a suggestion reads as a person would type it.
-fn rounded(value: f64) -> f64 {
+impl WebError {
+    /// The fault of an argument.
+    pub(crate) fn argument(name: &'static str, fault: String) -> WebError {
+        WebError::Argument { name, fault }
+    }
+}
+
+/// Rounds to six significant figures, so that a suggestion reads as a person would type it.
+pub(crate) fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// The numbers with commas between them.
-fn listed(numbers: &[usize]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+/// An error unless an argument is a positive, finite length, m. `what` names it in the message.
+pub(crate) fn positive(name: &'static str, what: &str, value: f64) -> Result<(), WebError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(WebError::argument(name, format!("{what} must be a positive length, not {value} m")))
+    }
 }
 
-/// An error unless `value` is a positive, finite length.
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), WebError> {
-    if value > 0.0 && value.is_finite() { Ok(()) } else { Err(WebError::Length { what, value }) }
+/// An error unless an argument lies in the range given. `what` names it in the message.
+pub(crate) fn in_range(
+    name: &'static str,
+    what: &str,
+    value: usize,
+    range: RangeInclusive<usize>,
+) -> Result<(), WebError> {
+    if range.contains(&value) {
+        Ok(())
+    } else {
+        let (least, most) = range.into_inner();
+        Err(WebError::argument(name, format!("{what} must be from {least} to {most}, not {value}")))
+    }
 }
 
-/// An error unless `value` lies in the range given.
-pub(crate) fn in_range(what: &'static str, value: usize, least: usize, most: usize) -> Result<(), WebError> {
-    if (least..=most).contains(&value) { Ok(()) } else { Err(WebError::Count { what, value, least, most }) }
+/// For tests: the argument that a web is refused for.
+#[cfg(test)]
+pub(crate) fn refused<T>(drawn: Result<T, WebError>) -> Option<&'static str> {
+    match drawn {
+        Err(WebError::Argument { name, .. }) => Some(name),
+        _ => None,
+    }
 }

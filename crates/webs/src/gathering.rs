@@ -11,17 +11,25 @@ impl Web {
     /// its pieces are straight as drawn and longer by the share `excess` of that. Class: gathering.
     ///
     /// # Errors
-    /// [`WebError::Excess`]; [`WebError::TiesMissCorners`] where a side is not so many knots long, or the outline does
-    /// not begin at a corner or has vertices that are no knots.
+    /// [`WebError::Argument`]: a negative `excess`; an `every` that does not divide the knots of a side, and any `every`
+    /// where the outline does not begin at a corner or has vertices that are no knots.
     pub fn with_gathering(mut self, every: usize, excess: f64) -> Result<Web, WebError> {
         if !(excess >= 0.0 && excess.is_finite()) {
-            return Err(WebError::Excess { value: excess });
+            let fault = format!("the excess of a gathering rope must be 0 or more, not {excess}");
+            return Err(WebError::argument("excess", fault));
         }
         let knots = self.outline.len();
         let ties: Vec<usize> = self.outline.iter().step_by(every.max(1)).flatten().copied().collect();
         let is_even = knots.is_multiple_of(every) && self.outline.iter().all(|vertex| vertex.len() == 1);
         if !is_even || !self.corners.iter().all(|corner| ties.contains(corner)) {
-            return Err(WebError::TiesMissCorners { every, meshes: knots / self.corners.len().max(1) });
+            let meshes = knots / self.corners.len().max(1);
+            return Err(WebError::argument(
+                "every",
+                format!(
+                    "a gathering rope tied to every {every} knots would miss corners of the web: {every} does not divide \
+                     the {meshes} meshes of a side"
+                ),
+            ));
         }
         let closed: Vec<usize> = ties.iter().chain(&ties[..1]).copied().collect();
         let mut ropes = RopeList::default();
@@ -42,6 +50,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::error::refused;
     use crate::symmetry::{is_mirrored, is_turned};
     use crate::{Bag, Cutting, Pattern, cut, square, topological};
 
@@ -72,13 +81,13 @@ mod tests {
     fn ties_that_miss_the_corners_are_refused() {
         let net = || square(5.0, 0.5).unwrap();
         for every in [0, 3, 4, 8, 20, 40] {
-            assert!(matches!(net().with_gathering(every, 0.1), Err(WebError::TiesMissCorners { .. })), "{every}");
+            assert_eq!(refused(net().with_gathering(every, 0.1)), Some("every"), "{every}");
         }
         let error = net().with_gathering(3, 0.1).unwrap_err().to_string();
         let expected = "a gathering rope tied to every 3 knots would miss corners of the web: 3 does not divide the 10 meshes of a side";
         assert_eq!(error, expected);
         for excess in [-0.1, f64::NAN, f64::INFINITY] {
-            assert!(matches!(net().with_gathering(2, excess), Err(WebError::Excess { .. })));
+            assert_eq!(refused(net().with_gathering(2, excess)), Some("excess"));
         }
         // six knots stand for a vertex of this outline
         assert!(topological(2.5, 0.14).unwrap().with_gathering(1, 0.1).is_err());

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::rope_list::RopeList;
-use crate::{Class, Kind, Knot, Rope, Site, Web, WebError};
+use crate::{Class, Knot, Rope, Site, Web, WebError};
 
 /// Knots within this distance of the nearest to the middle share the centre, relative to the web's radius.
 const SAME_DISTANCE: f64 = 1e-9;
@@ -104,7 +104,7 @@ pub fn graph(graph: &Graph) -> Result<Web, Vec<WebError>> {
         return Err(problems);
     }
 
-    let mut web = Web::empty(Kind::Graph);
+    let mut web = Web::default();
     web.knots = graph
         .nodes
         .iter()

@@ -43,6 +43,8 @@ mod plates;
 mod polygon;
 mod radial;
 mod rope_list;
+#[cfg(test)]
+mod samples;
 mod sectors;
 mod sheet;
 mod space;
@@ -69,11 +71,11 @@ pub use packing::{
 pub use pieces::Pieces;
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
-pub use sheet::{MOST_FINENESS, Sheet, hexagonal_sheet};
+pub use sheet::{Sheet, hexagonal_sheet};
 pub use space::space;
 pub use square::square;
 pub use stubs::Merged;
 pub use topological::topological;
-pub use traditional::{CELLS_PER_SIDE, traditional};
+pub use traditional::traditional;
 pub use vector_area::vector_area;
-pub use web::{Canopy, Kind, Knot, Rope, Site, Web};
+pub use web::{Canopy, Knot, Rope, Site, Web};

@@ -8,19 +8,18 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use crate::error::positive;
+use crate::error::{positive, rounded};
 use crate::lattice::{Lattice, Link, Place, lattice};
-use crate::{Class, Kind, Knot, Rope, Site, Web, WebError};
+use crate::{Class, Knot, Rope, Site, Web, WebError};
 
 /// What stands on the knots of the lattice.
 pub(crate) struct PlateKind {
-    pub(crate) web: Kind,
     /// What one is called in labels.
     pub(crate) name: &'static str,
     /// What several are called in errors.
     pub(crate) names: &'static str,
-    /// What its side is called in errors.
-    pub(crate) side_name: &'static str,
+    /// Which argument of the web is its side.
+    pub(crate) side_argument: &'static str,
     /// Whether there is a knot in its centre, too.
     pub(crate) has_hub: bool,
 }
@@ -41,15 +40,22 @@ impl Plate {
 
 /// The web of links between plates, and the plates in the order of their numbers.
 pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result<(Web, Vec<Plate>), WebError> {
-    positive("the web's side", side)?;
-    positive(kind.side_name, plate_side)?;
+    positive("side", "the web's side", side)?;
+    positive(kind.side_argument, &format!("the {}' side", kind.names), plate_side)?;
     let lattice = lattice(side);
     let limit = lattice.spacing / 3.0_f64.sqrt();
     if plate_side >= limit {
-        return Err(WebError::PlateTooLarge { what: kind.names, side: plate_side, limit });
+        let (names, limit) = (kind.names, rounded(limit));
+        return Err(WebError::argument(
+            kind.side_argument,
+            format!(
+                "{names} with sides of {plate_side} m leave no room for the ropes between them; their side must be less \
+                 than {limit} m"
+            ),
+        ));
     }
 
-    let mut web = Web::empty(kind.web);
+    let mut web = Web::default();
     let mut plates = Vec::new();
     for knot in &lattice.knots {
         match knot.place {
@@ -147,6 +153,7 @@ fn feature_points(lattice: &Lattice, plates: &[Plate]) -> BTreeMap<String, Site>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::refused;
     use crate::{space, topological};
 
     fn webs() -> [Web; 2] {
@@ -273,7 +280,7 @@ mod tests {
     fn plates_that_touch_are_refused() {
         let limit = 2.5 / 3.0 / 3.0_f64.sqrt();
         assert!(space(2.5, 0.999 * limit).is_ok());
-        assert!(matches!(space(2.5, 1.001 * limit), Err(WebError::PlateTooLarge { .. })));
-        assert!(matches!(topological(2.5, -0.1), Err(WebError::Length { .. })));
+        assert_eq!(refused(space(2.5, 1.001 * limit)), Some("canopy_side"));
+        assert_eq!(refused(topological(2.5, -0.1)), Some("hexagon_side"));
     }
 }

@@ -7,9 +7,9 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::error::{in_range, positive};
+use crate::error::{in_range, positive, rounded};
 use crate::sectors::Sectors;
-use crate::{Kind, Web, WebError};
+use crate::{Web, WebError};
 
 /// With more, the radials at the corners alone are closer in the middle than any mesh.
 const MOST_SIDES: usize = 24;
@@ -24,7 +24,7 @@ const MOST_PARALLELS: usize = 1000;
 /// degrees, D half way between.
 ///
 /// # Errors
-/// [`WebError::Length`], [`WebError::Count`] and [`WebError::MeshBeyondApothem`].
+/// [`WebError::Argument`]: `sides`, `side` or `mesh`.
 pub fn polygon(sides: usize, side: f64, mesh: f64) -> Result<Web, WebError> {
     let parallels = parallels(sides, side, mesh)?;
     let radius = 0.5 * side / libm::sin(PI / sides as f64);
@@ -44,7 +44,7 @@ pub fn polygon(sides: usize, side: f64, mesh: f64) -> Result<Web, WebError> {
         radii: (0..=parallels).map(|ring| radius * (ring as f64 / parallels as f64)).collect(),
         divisions: divisions.collect(),
     };
-    Ok(sectors.web(Kind::Polygon))
+    Ok(sectors.web())
 }
 
 /// Distance from one parallel of a polygon web to the next, m: the part of the apothem nearest to the mesh.
@@ -62,15 +62,17 @@ fn apothem(sides: usize, side: f64) -> f64 {
 
 /// Parallels from the middle to a side, the side itself included.
 fn parallels(sides: usize, side: f64, mesh: f64) -> Result<usize, WebError> {
-    in_range("the number of sides", sides, 3, MOST_SIDES)?;
-    positive("the web's side", side)?;
-    positive("the mesh", mesh)?;
+    in_range("sides", "the number of sides", sides, 3..=MOST_SIDES)?;
+    positive("side", "the web's side", side)?;
+    positive("mesh", "the mesh", mesh)?;
     let apothem = apothem(sides, side);
     if mesh > apothem {
-        return Err(WebError::MeshBeyondApothem { mesh, apothem });
+        let apothem = rounded(apothem);
+        let fault = format!("a mesh of {mesh} m is larger than the distance from the middle to a side, {apothem} m");
+        return Err(WebError::argument("mesh", fault));
     }
     let parallels = (apothem / mesh).round() as usize;
-    in_range("the number of meshes from the middle to a side", parallels, 1, MOST_PARALLELS)?;
+    in_range("mesh", "the number of meshes from the middle to a side", parallels, 1..=MOST_PARALLELS)?;
     Ok(parallels)
 }
 
@@ -80,6 +82,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::error::refused;
     use crate::symmetry::{is_mirrored, is_turned};
     use crate::{Class, Cutting, cut, vector_area};
 
@@ -115,11 +118,11 @@ mod tests {
     #[test]
     fn wrong_sizes_are_refused() {
         for sides in [0, 1, 2, 25] {
-            assert!(matches!(polygon(sides, 2.5, 0.5), Err(WebError::Count { .. })), "{sides}");
+            assert_eq!(refused(polygon(sides, 2.5, 0.5)), Some("sides"), "{sides}");
         }
-        assert!(matches!(polygon(6, -1.0, 0.5), Err(WebError::Length { .. })));
-        assert!(matches!(polygon(6, 2.5, f64::NAN), Err(WebError::Length { .. })));
-        assert!(matches!(polygon(6, 2.5, 1e-9), Err(WebError::Count { .. })));
+        assert_eq!(refused(polygon(6, -1.0, 0.5)), Some("side"));
+        assert_eq!(refused(polygon(6, 2.5, f64::NAN)), Some("mesh"));
+        assert_eq!(refused(polygon(6, 2.5, 1e-9)), Some("mesh"));
         let error = polygon(6, 2.5, 2.2).unwrap_err().to_string();
         assert_eq!(error, "a mesh of 2.2 m is larger than the distance from the middle to a side, 2.16506 m");
     }

@@ -5,7 +5,7 @@
 
 use crate::error::{in_range, positive};
 use crate::sectors::Sectors;
-use crate::{Kind, Web, WebError};
+use crate::{Web, WebError};
 
 const MOST_RADIALS: usize = 360;
 const MOST_RINGS: usize = 1000;
@@ -32,21 +32,24 @@ pub struct Radial {
 /// Feature points: B the knot in the middle, or the hub's at 90 degrees; C the corner at 90 degrees; D half way between.
 ///
 /// # Errors
-/// [`WebError::Length`], [`WebError::Count`], [`WebError::HubTooLarge`] and [`WebError::UnevenCorners`].
+/// [`WebError::Argument`]: any field of [`Radial`].
 pub fn radial(sizes: &Radial) -> Result<Web, WebError> {
     let &Radial { diameter, radials, rings, hub_diameter, corners } = sizes;
-    positive("the web's diameter", diameter)?;
-    in_range("the number of radials", radials, 3, MOST_RADIALS)?;
-    in_range("the number of rings", rings, 1, MOST_RINGS)?;
-    in_range("the number of corners", corners, 3, radials)?;
+    positive("diameter", "the web's diameter", diameter)?;
+    in_range("radials", "the number of radials", radials, 3..=MOST_RADIALS)?;
+    in_range("rings", "the number of rings", rings, 1..=MOST_RINGS)?;
+    in_range("corners", "the number of corners", corners, 3..=radials)?;
     if !radials.is_multiple_of(corners) {
-        let evenly = (3..=radials).filter(|count| radials.is_multiple_of(*count)).collect();
-        return Err(WebError::UnevenCorners { corners, radials, evenly });
+        let evenly = (3..=radials).filter(|count| radials.is_multiple_of(*count)).map(|count| count.to_string());
+        let evenly = evenly.collect::<Vec<_>>().join(", ");
+        let fault = format!("{corners} corners do not lie evenly among {radials} radials; {evenly} would");
+        return Err(WebError::argument("corners", fault));
     }
     if let Some(hub) = hub_diameter {
-        positive("the hub's diameter", hub)?;
+        positive("hub_diameter", "the hub's diameter", hub)?;
         if hub >= diameter {
-            return Err(WebError::HubTooLarge { hub, diameter });
+            let fault = format!("a hub of {hub} m leaves no room for radials in a web of {diameter} m");
+            return Err(WebError::argument("hub_diameter", fault));
         }
     }
 
@@ -58,7 +61,7 @@ pub fn radial(sizes: &Radial) -> Result<Web, WebError> {
         radii: (0..=rings).map(radius).collect(),
         divisions: vec![1; rings],
     };
-    Ok(sectors.web(Kind::Radial))
+    Ok(sectors.web())
 }
 
 #[cfg(test)]
@@ -69,6 +72,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::error::refused;
     use crate::symmetry::{is_mirrored, is_turned};
     use crate::{Class, Cutting, Site, cut, vector_area};
 
@@ -99,13 +103,17 @@ mod tests {
 
     #[test]
     fn wrong_sizes_are_refused() {
-        assert!(matches!(radial(&Radial { radials: 2, ..WEB }), Err(WebError::Count { .. })));
-        assert!(matches!(radial(&Radial { rings: 0, ..WEB }), Err(WebError::Count { .. })));
-        assert!(matches!(radial(&Radial { corners: 13, ..WEB }), Err(WebError::Count { .. })));
-        assert!(matches!(radial(&Radial { corners: 0, ..WEB }), Err(WebError::Count { .. })));
-        assert!(matches!(radial(&Radial { diameter: 0.0, ..WEB }), Err(WebError::Length { .. })));
-        assert!(matches!(radial(&Radial { hub_diameter: Some(-1.0), ..WEB }), Err(WebError::Length { .. })));
-        assert!(matches!(radial(&Radial { hub_diameter: Some(5.0), ..WEB }), Err(WebError::HubTooLarge { .. })));
+        for (wrong, argument) in [
+            (Radial { radials: 2, ..WEB }, "radials"),
+            (Radial { rings: 0, ..WEB }, "rings"),
+            (Radial { corners: 13, ..WEB }, "corners"),
+            (Radial { corners: 0, ..WEB }, "corners"),
+            (Radial { diameter: 0.0, ..WEB }, "diameter"),
+            (Radial { hub_diameter: Some(-1.0), ..WEB }, "hub_diameter"),
+            (Radial { hub_diameter: Some(5.0), ..WEB }, "hub_diameter"),
+        ] {
+            assert_eq!(refused(radial(&wrong)), Some(argument), "{wrong:?}");
+        }
         let error = radial(&Radial { corners: 5, ..WEB }).unwrap_err().to_string();
         assert_eq!(error, "5 corners do not lie evenly among 12 radials; 3, 4, 6, 12 would");
     }

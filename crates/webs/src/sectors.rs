@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 use glam::DVec3;
 
 use crate::rope_list::RopeList;
-use crate::{Class, Kind, Knot, Site, Web};
+use crate::{Class, Knot, Site, Web};
 
 /// The drawing of such a web.
 pub(crate) struct Sectors {
@@ -28,8 +28,8 @@ pub(crate) struct Sectors {
 impl Sectors {
     /// The web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline, ring, radial. Feature points on the ray at 90 degrees: B the
     /// innermost knot, C the corner, D the knot half way between (without one, the rope's middle).
-    pub(crate) fn web(&self, kind: Kind) -> Web {
-        let mut web = Web::empty(kind);
+    pub(crate) fn web(&self) -> Web {
+        let mut web = Web::default();
         let rings: Vec<Vec<usize>> = (0..self.radii.len()).map(|ring| self.add_ring(&mut web.knots, ring)).collect();
         let (inmost, outline) = (&rings[0], &rings[rings.len() - 1]);
         web.corners = outline.iter().step_by(outline.len() / self.web_corners).copied().collect();

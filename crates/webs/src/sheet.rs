@@ -8,7 +8,7 @@ use crate::WebError;
 use crate::error::{in_range, positive};
 
 /// Finest mesh of a sheet, triangles along a side.
-pub const MOST_FINENESS: usize = 100;
+const MOST_FINENESS: usize = 100;
 
 /// A regular hexagon meshed with triangles, flat, about the origin; corner k lies at 60 k degrees from the x axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,10 +31,10 @@ pub struct Sheet {
 /// (3 n - 1) hinges.
 ///
 /// # Errors
-/// A side that is not a positive length; a fineness of zero or above [`MOST_FINENESS`].
+/// [`WebError::Argument`]: a `side` that is not a positive length; a `fineness` of zero or above 100.
 pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
-    positive("a sheet's side", side)?;
-    in_range("a sheet's fineness", fineness, 1, MOST_FINENESS)?;
+    positive("side", "a sheet's side", side)?;
+    in_range("fineness", "a sheet's fineness", fineness, 1..=MOST_FINENESS)?;
 
     let spacing = side / fineness as f64;
     let mut nodes = vec![DVec2::ZERO];
@@ -103,8 +103,10 @@ fn hinges(triangles: &[[usize; 3]]) -> Vec<[usize; 4]> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::error::refused;
 
     fn area(sheet: &Sheet, [a, b, c]: [usize; 3]) -> f64 {
         0.5 * (sheet.nodes[b] - sheet.nodes[a]).perp_dot(sheet.nodes[c] - sheet.nodes[a])
@@ -164,8 +166,8 @@ mod tests {
 
     #[test]
     fn what_cannot_be_meshed_is_refused() {
-        assert!(matches!(hexagonal_sheet(0.0, 3), Err(WebError::Length { .. })));
-        assert!(matches!(hexagonal_sheet(0.14, 0), Err(WebError::Count { .. })));
-        assert!(matches!(hexagonal_sheet(0.14, MOST_FINENESS + 1), Err(WebError::Count { .. })));
+        assert_eq!(refused(hexagonal_sheet(0.0, 3)), Some("side"));
+        assert_eq!(refused(hexagonal_sheet(0.14, 0)), Some("fineness"));
+        assert_eq!(refused(hexagonal_sheet(0.14, MOST_FINENESS + 1)), Some("fineness"));
     }
 }

@@ -2,10 +2,10 @@
 //! payload.
 
 use crate::plates::{PlateKind, plated_web};
-use crate::{Canopy, Kind, Web, WebError};
+use crate::{Canopy, Web, WebError};
 
 const CANOPIES: PlateKind =
-    PlateKind { web: Kind::Space, name: "canopy", names: "canopies", side_name: "the canopies' side", has_hub: true };
+    PlateKind { name: "canopy", names: "canopies", side_argument: "canopy_side", has_hub: true };
 
 /// The space web: a hexagon of this side with canopies of that side, both m.
 ///
@@ -15,7 +15,7 @@ const CANOPIES: PlateKind =
 /// half way.
 ///
 /// # Errors
-/// [`WebError::Length`] and [`WebError::PlateTooLarge`].
+/// [`WebError::Argument`]: `side` or `canopy_side`.
 pub fn space(side: f64, canopy_side: f64) -> Result<Web, WebError> {
     let (mut web, plates) = plated_web(&CANOPIES, side, canopy_side)?;
     let number_of_centre = plates.len();

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use crate::error::{in_range, positive};
+use crate::error::{in_range, positive, rounded};
 use crate::rope_list::RopeList;
-use crate::{Class, Kind, Knot, Site, Web, WebError};
+use crate::{Class, Knot, Site, Web, WebError};
 
 const MOST_CELLS: usize = 2000;
 
@@ -19,10 +19,10 @@ const WHOLE: f64 = 1e-9;
 /// Feature points: B the knot nearest the centre, C the upper right corner, D a knot half way between.
 ///
 /// # Errors
-/// [`WebError::Length`], [`WebError::MeshTooLarge`], [`WebError::MeshDoesNotDivide`] and [`WebError::Count`].
+/// [`WebError::Argument`]: `side` or `mesh`.
 pub fn square(side: f64, mesh: f64) -> Result<Web, WebError> {
     let n = cells(side, mesh)?;
-    let mut web = Web::empty(Kind::Square);
+    let mut web = Web::default();
     let knot = |i: usize, j: usize| j * (n + 1) + i;
 
     // whole multiples of half a mesh, so that opposite knots are exact mirror images
@@ -73,21 +73,23 @@ pub fn square(side: f64, mesh: f64) -> Result<Web, WebError> {
 
 /// Meshes along a side.
 fn cells(side: f64, mesh: f64) -> Result<usize, WebError> {
-    positive("the web's side", side)?;
-    positive("the mesh", mesh)?;
+    positive("side", "the web's side", side)?;
+    positive("mesh", "the mesh", mesh)?;
     let ratio = side / mesh;
     if ratio < 1.0 - WHOLE {
-        return Err(WebError::MeshTooLarge { side, mesh });
+        let fault = format!("a mesh of {mesh} m is larger than the web's side of {side} m");
+        return Err(WebError::argument("mesh", fault));
     }
     // a ratio beyond any usize saturates and is refused here
-    in_range("the number of meshes along a side", ratio.round() as usize, 1, MOST_CELLS)?;
+    in_range("mesh", "the number of meshes along a side", ratio.round() as usize, 1..=MOST_CELLS)?;
     if (ratio - ratio.round()).abs() > WHOLE * ratio {
-        return Err(WebError::MeshDoesNotDivide {
-            side,
-            mesh,
-            coarser: side / ratio.floor(),
-            finer: side / ratio.ceil(),
-        });
+        let [coarser, finer] = [ratio.floor(), ratio.ceil()].map(|cells| rounded(side / cells));
+        return Err(WebError::argument(
+            "mesh",
+            format!(
+                "a mesh of {mesh} m does not divide a side of {side} m into whole cells; {coarser} m or {finer} m would"
+            ),
+        ));
     }
     Ok(ratio.round() as usize)
 }
@@ -95,6 +97,7 @@ fn cells(side: f64, mesh: f64) -> Result<usize, WebError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::refused;
 
     #[test]
     fn a_five_metre_net_of_half_metre_meshes() {
@@ -149,9 +152,9 @@ mod tests {
             error.to_string(),
             "a mesh of 0.3 m does not divide a side of 5 m into whole cells; 0.3125 m or 0.294118 m would"
         );
-        assert!(matches!(square(1.0, 2.0), Err(WebError::MeshTooLarge { .. })));
-        assert!(matches!(square(1.0, 1e-9), Err(WebError::Count { .. })));
-        assert!(matches!(square(1.0, f64::MIN_POSITIVE), Err(WebError::Count { .. })));
-        assert!(matches!(square(-1.0, 0.5), Err(WebError::Length { .. })));
+        for mesh in [2.0, 1e-9, f64::MIN_POSITIVE, 0.0, f64::NAN] {
+            assert_eq!(refused(square(1.0, mesh)), Some("mesh"), "{mesh}");
+        }
+        assert_eq!(refused(square(-1.0, 0.5)), Some("side"));
     }
 }

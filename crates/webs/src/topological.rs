@@ -1,15 +1,10 @@
 //! The topological rope web: the space web's ropes, with a closed hexagon of rope in the place of each canopy.
 
 use crate::plates::{PlateKind, plated_web};
-use crate::{Class, Kind, Rope, Web, WebError};
+use crate::{Class, Rope, Web, WebError};
 
-const HEXAGONS: PlateKind = PlateKind {
-    web: Kind::Topological,
-    name: "hexagon",
-    names: "rope hexagons",
-    side_name: "the rope hexagons' side",
-    has_hub: false,
-};
+const HEXAGONS: PlateKind =
+    PlateKind { name: "hexagon", names: "rope hexagons", side_argument: "hexagon_side", has_hub: false };
 
 /// The topological web: a hexagon of this side with rope hexagons of that side, both m.
 ///
@@ -18,7 +13,7 @@ const HEXAGONS: PlateKind = PlateKind {
 /// way.
 ///
 /// # Errors
-/// [`WebError::Length`] and [`WebError::PlateTooLarge`].
+/// [`WebError::Argument`]: `side` or `hexagon_side`.
 pub fn topological(side: f64, hexagon_side: f64) -> Result<Web, WebError> {
     let (mut web, plates) = plated_web(&HEXAGONS, side, hexagon_side)?;
     for (plate, number) in plates.iter().zip(1..) {

@@ -13,13 +13,19 @@ impl Web {
     /// without one), unless the web has an A already.
     ///
     /// # Errors
-    /// [`WebError::TractionLength`], [`WebError::Count`], [`WebError::NoCorners`], [`WebError::CornerInTheMiddle`],
+    /// [`WebError::Argument`]: `length` or `count`; [`WebError::NoCorners`], [`WebError::CornerInTheMiddle`],
     /// [`WebError::TractorsTwice`].
     pub fn with_traction(mut self, length: f64, count: usize) -> Result<Web, WebError> {
         if !(length >= 0.0 && length.is_finite()) {
-            return Err(WebError::TractionLength { value: length });
+            return Err(WebError::argument(
+                "length",
+                format!(
+                    "the traction ropes' length must be zero (tractors tied straight to the corners) or positive, not \
+                     {length} m"
+                ),
+            ));
         }
-        in_range("the number of parallel traction ropes", count, 1, MOST_PARALLEL)?;
+        in_range("count", "the number of parallel traction ropes", count, 1..=MOST_PARALLEL)?;
         if self.corners.is_empty() {
             return Err(WebError::NoCorners);
         }
@@ -74,6 +80,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::error::refused;
     use crate::{space, square, topological, traditional};
 
     #[test]
@@ -121,9 +128,9 @@ mod tests {
     #[test]
     fn wrong_traction_is_refused() {
         let web = || square(2.0, 1.0).unwrap();
-        assert!(matches!(web().with_traction(-1.0, 1), Err(WebError::TractionLength { .. })));
-        assert!(matches!(web().with_traction(f64::NAN, 1), Err(WebError::TractionLength { .. })));
-        assert!(matches!(web().with_traction(1.0, 0), Err(WebError::Count { .. })));
+        assert_eq!(refused(web().with_traction(-1.0, 1)), Some("length"));
+        assert_eq!(refused(web().with_traction(f64::NAN, 1)), Some("length"));
+        assert_eq!(refused(web().with_traction(1.0, 0)), Some("count"));
         let twice = web().with_traction(1.0, 1).unwrap().with_traction(1.0, 1);
         assert_eq!(twice, Err(WebError::TractorsTwice));
     }

@@ -12,10 +12,7 @@ use glam::DVec3;
 use crate::error::{in_range, positive};
 use crate::lattice::compass;
 use crate::rope_list::RopeList;
-use crate::{Class, Kind, Knot, Site, Web, WebError};
-
-/// Cells along a side of the hexagon where the user states none: 0.4167 m in a web with sides of 2.5 m.
-pub const CELLS_PER_SIDE: usize = 6;
+use crate::{Class, Knot, Site, Web, WebError};
 
 const MOST_CELLS: usize = 1000;
 
@@ -106,21 +103,20 @@ impl Grid {
     }
 }
 
-/// The traditional web: a hexagon of this side, m, with so many square cells along a side (at least 2;
-/// [`CELLS_PER_SIDE`] is usual).
+/// The traditional web: a hexagon of this side, m, with so many square cells along a side, at least 2.
 ///
 /// Knots inside are numbered row by row from below; those of the outline follow, anticlockwise from the corner at 30
 /// degrees. Classes: outline; radial, the two lines through the centre; inner, the rest. Feature points: B the knot
 /// in the centre, C the corner at 90 degrees, D the knot half way between.
 ///
 /// # Errors
-/// [`WebError::Length`] and [`WebError::Count`].
+/// [`WebError::Argument`]: `side` or `cells_per_side`.
 pub fn traditional(side: f64, cells_per_side: usize) -> Result<Web, WebError> {
-    positive("the web's side", side)?;
-    in_range("the number of cells along a side", cells_per_side, 2, MOST_CELLS)?;
+    positive("side", "the web's side", side)?;
+    in_range("cells_per_side", "the number of cells along a side", cells_per_side, 2..=MOST_CELLS)?;
     let grid = Grid { cells: cells_per_side as i64, side };
     let (last_row, last_column) = (grid.last_row(), grid.last_column());
-    let mut web = Web::empty(Kind::Traditional);
+    let mut web = Web::default();
 
     // knots inside, row by row
     let mut crossing = BTreeMap::new();
@@ -190,9 +186,10 @@ pub fn traditional(side: f64, cells_per_side: usize) -> Result<Web, WebError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::refused;
 
     fn paper_web() -> Web {
-        traditional(2.5, CELLS_PER_SIDE).unwrap()
+        traditional(2.5, 6).unwrap()
     }
 
     #[test]
@@ -253,8 +250,8 @@ mod tests {
 
     #[test]
     fn wrong_sizes_are_refused() {
-        assert!(matches!(traditional(0.0, 6), Err(WebError::Length { .. })));
-        assert!(matches!(traditional(f64::NAN, 6), Err(WebError::Length { .. })));
-        assert!(matches!(traditional(2.5, 1), Err(WebError::Count { .. })));
+        assert_eq!(refused(traditional(0.0, 6)), Some("side"));
+        assert_eq!(refused(traditional(f64::NAN, 6)), Some("side"));
+        assert_eq!(refused(traditional(2.5, 1)), Some("cells_per_side"));
     }
 }

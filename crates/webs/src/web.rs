@@ -6,43 +6,6 @@ use glam::DVec3;
 
 use crate::{Class, vector_area};
 
-/// The kinds of web that can be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// Square cells clipped by a hexagon; see [`crate::traditional`].
-    Traditional,
-    /// A triangular lattice of double ropes between hexagons of rope; see [`crate::topological`].
-    Topological,
-    /// A triangular lattice of double ropes between canopies; see [`crate::space`].
-    Space,
-    /// A square net; see [`crate::square`].
-    Square,
-    /// A regular polygon of concentric polygons and radials; see [`crate::polygon`].
-    Polygon,
-    /// Radials and rings; see [`crate::radial`].
-    Radial,
-    /// A net of rhombic meshes; see [`crate::diamond`].
-    Diamond,
-    /// Any net, knot by knot and rope by rope; see [`crate::graph`].
-    Graph,
-}
-
-impl Kind {
-    /// The kind's name, in lower case.
-    pub fn name(self) -> &'static str {
-        match self {
-            Kind::Traditional => "traditional",
-            Kind::Topological => "topological",
-            Kind::Space => "space",
-            Kind::Square => "square",
-            Kind::Polygon => "polygon",
-            Kind::Radial => "radial",
-            Kind::Diamond => "diamond",
-            Kind::Graph => "graph",
-        }
-    }
-}
-
 /// A place where ropes are tied: to one another, to a canopy or to a tractor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Knot {
@@ -109,10 +72,8 @@ pub enum Site {
 }
 
 /// A web as designed: flat, before it is cut, packed or loaded.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Web {
-    /// What kind it is.
-    pub kind: Kind,
     /// Where ropes are tied.
     pub knots: Vec<Knot>,
     /// The ropes between them.
@@ -139,23 +100,6 @@ pub struct Web {
 }
 
 impl Web {
-    /// A web of this kind with nothing in it yet.
-    pub(crate) fn empty(kind: Kind) -> Web {
-        Web {
-            kind,
-            knots: Vec::new(),
-            ropes: Vec::new(),
-            canopies: Vec::new(),
-            outline: Vec::new(),
-            corners: Vec::new(),
-            tractors: Vec::new(),
-            traction: Vec::new(),
-            centre: Vec::new(),
-            middle: DVec3::ZERO,
-            points: BTreeMap::new(),
-        }
-    }
-
     /// The knot of this name.
     pub fn knot_named(&self, name: &str) -> Option<usize> {
         self.knots.iter().position(|knot| knot.name == name)
@@ -169,11 +113,6 @@ impl Web {
     /// Length of a rope without tension, m: its own where it has one, else as drawn.
     pub fn rest_length(&self, rope: &Rope) -> f64 {
         rope.rest_length.unwrap_or_else(|| self.drawn_length(rope))
-    }
-
-    /// Length of all ropes, traction ropes included, m.
-    pub fn rope_length(&self) -> f64 {
-        self.ropes.iter().map(|rope| self.rest_length(rope)).sum()
     }
 
     /// Length of the ropes of each class that the web has, m.

@@ -123,27 +123,13 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
 
 /// The key of a web's table that an error is about.
 fn key_of(error: &WebError, web: &web::Web) -> &'static str {
-    match (error, web) {
-        (WebError::Count { what: "the number of sides", .. }, _) => "sides",
-        (WebError::Count { what: "the number of radials", .. }, _) => "radials",
-        (WebError::Count { what: "the number of rings", .. }, _) => "rings",
-        (WebError::Count { what: "the number of meshes across the width", .. }, _) => "meshes_wide",
-        (WebError::Count { what: "the number of meshes across the height", .. }, _) => "meshes_high",
-        (WebError::Count { .. }, web::Web::Traditional(_)) => "cells_per_side",
-        (WebError::Count { .. } | WebError::UnevenCorners { .. }, web::Web::Radial(_)) => "corners",
-        (WebError::HubTooLarge { .. }, _) => "hub_diameter",
-        (WebError::HangingRatio { .. }, web::Web::Diamond(net)) if net.hanging_ratio.is_none() => "angle",
-        (WebError::HangingRatio { .. }, _) => "hanging_ratio",
-        (WebError::TiesMissCorners { .. }, _) => "gathering.every",
-        (WebError::Excess { .. }, _) => "gathering.excess",
-        (
-            WebError::MeshDoesNotDivide { .. }
-            | WebError::MeshTooLarge { .. }
-            | WebError::MeshBeyondApothem { .. }
-            | WebError::Count { .. },
-            _,
-        ) => "mesh",
-        _ => "side",
+    let WebError::Argument { name, .. } = error else { return "side" };
+    match (*name, web) {
+        ("hanging_ratio", web::Web::Diamond(net)) if net.hanging_ratio.is_none() => "angle",
+        ("every", _) => "gathering.every",
+        ("excess", _) => "gathering.excess",
+        ("canopy_side", _) => "side",
+        (name, _) => name,
     }
 }
 

@@ -85,13 +85,7 @@ pub fn stow(
         }
     };
     let packed = pattern.pack_imperfectly(cut, imperfection.as_ref()).map_err(|error| {
-        let size = match &pattern {
-            Pattern::Scale(_) => "factor",
-            Pattern::Given(_) => "path",
-            Pattern::Bag(_) => "radius",
-            Pattern::Folded(_) => "container",
-        };
-        let key = key_of(&error).unwrap_or(size);
+        let key = key_of(&error);
         document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
     })?;
     let mut positions = packed;
@@ -144,7 +138,7 @@ fn settle(
     }
     let packing = prescribed(document, cut, led, mass, canopies.laid_in_folds())?;
     let (positions, turned, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
-        let key = key_of(&error).unwrap_or(if error == PackingError::NothingLed { "drive" } else { "radius" });
+        let key = key_of(&error);
         document.diagnostic(&format!("stow.prescribed.{key}"), error.to_string())
     })?;
     packing.plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
@@ -154,13 +148,12 @@ fn settle(
     Ok(Stowed { positions, turns, settled: Some(settled) })
 }
 
-/// The key of a packing's table that an error is about; none for the size of the pack.
-fn key_of(error: &PackingError) -> Option<&'static str> {
-    match error {
-        PackingError::Depth { .. } | PackingError::Size { what: "depth", .. } => Some("depth"),
-        PackingError::TractorOutOfReach { .. } => Some("tractor_radius"),
-        PackingError::Gap { .. } => Some("tractor_gap"),
-        _ => None,
+/// The key of a packing's table that an error is about.
+fn key_of(error: &PackingError) -> &'static str {
+    match error.argument() {
+        "paths" => "drive",
+        "positions" => "path",
+        key => key,
     }
 }
 

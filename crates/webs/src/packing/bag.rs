@@ -55,7 +55,7 @@ impl Bag {
         }
         let limit = (reach * reach - self.radius * self.radius).max(0.0).sqrt();
         let depth = self.depth.unwrap_or(DEFAULT_SHARE * limit);
-        size("depth", depth)?;
+        size("depth", "depth", depth)?;
         if depth > limit * (1.0 + ROUNDING) {
             return Err(PackingError::Depth { depth, limit });
         }
@@ -83,9 +83,10 @@ impl Shape {
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::longest_stretch;
     use super::*;
-    use crate::{Cutting, Diamond, Radial, cut, diamond, polygon, radial, space, square, topological, traditional};
+    use crate::packing::longest_stretch;
+    use crate::samples::SAMPLES;
+    use crate::{Cutting, cut, space, square, traditional};
 
     fn paper_web() -> CutWeb {
         let web = space(2.5, 0.14).unwrap().with_traction(1.0355, 1).unwrap();
@@ -169,34 +170,27 @@ mod tests {
             assert!(matches!(Bag::of_radius(radius).pack(&net, None), Err(PackingError::Radius { .. })));
         }
         let sizes = [
-            Bag { depth: Some(-1.0), ..bag },
-            Bag { mouth: Mouth { tractor_radius: Some(f64::NAN), tractor_gap: None }, ..bag },
-            Bag { mouth: Mouth { tractor_radius: None, tractor_gap: Some(-0.1) }, ..bag },
+            (Bag { depth: Some(-1.0), ..bag }, "depth"),
+            (Bag { mouth: Mouth { tractor_radius: Some(f64::NAN), tractor_gap: None }, ..bag }, "tractor_radius"),
+            (Bag { mouth: Mouth { tractor_radius: None, tractor_gap: Some(-0.1) }, ..bag }, "tractor_gap"),
         ];
-        for bag in sizes {
-            assert!(matches!(bag.pack(&net, None), Err(PackingError::Size { .. })));
+        for (bag, argument) in sizes {
+            let error = bag.pack(&net, None).unwrap_err();
+            assert!(matches!(error, PackingError::Size { .. }));
+            assert_eq!(error.argument(), argument);
         }
     }
 
     proptest! {
         #[test]
         fn no_bag_within_its_limits_stretches_any_rope(
-            kind in 0..7_usize,
+            kind in 0..SAMPLES.len(),
             radius_share in 0.02..1.0_f64,
             depth_share in 0.0..1.0_f64,
             segment_length in 0.05..1.0_f64,
             tractor_share in 0.0..1.0_f64,
         ) {
-            let web = match kind {
-                0 => traditional(2.5, 6),
-                1 => topological(2.5, 0.14),
-                2 => space(2.5, 0.14),
-                3 => polygon(5, 2.5, 0.4),
-                4 => radial(&Radial { diameter: 5.0, radials: 12, rings: 5, hub_diameter: Some(0.5), corners: 4 }),
-                5 => diamond(&Diamond { mesh: 0.5, hanging_ratio: 0.6, meshes_wide: 8, meshes_high: 5 }),
-                _ => square(3.5, 0.5).and_then(|net| net.with_gathering(7, 0.0)),
-            };
-            let web = web.unwrap().with_traction(1.2, 1).unwrap();
+            let web = SAMPLES[kind]().with_traction(1.2, 1).unwrap();
             let net = cut(&web, &Cutting::SegmentLength(segment_length)).unwrap();
             let radius = radius_share * web.radius();
             let depth = depth_share * (web.radius().powi(2) - radius * radius).sqrt();

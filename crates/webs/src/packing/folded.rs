@@ -147,11 +147,9 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::packing::Pattern;
-    use crate::{
-        Cutting, Diamond, Graph, GraphNode, GraphRope, Radial, cut, diamond, graph, polygon, radial, space, square,
-        topological, traditional,
-    };
+    use crate::packing::{Pattern, longest_stretch};
+    use crate::samples::SAMPLES;
+    use crate::{Cutting, cut, square};
 
     const FOLDINGS: [Folding; 6] = [
         Folding::Rings,
@@ -161,50 +159,6 @@ mod tests {
         Folding::Star { arms: None },
         Folding::Star { arms: Some(9) },
     ];
-
-    fn kind_of_web(kind: usize) -> Web {
-        match kind {
-            0 => traditional(2.5, 6),
-            1 => topological(2.5, 0.14),
-            2 => space(2.5, 0.14),
-            3 => polygon(5, 2.5, 0.4),
-            4 => radial(&Radial { diameter: 5.0, radials: 12, rings: 5, hub_diameter: Some(0.5), corners: 4 }),
-            5 => diamond(&Diamond { mesh: 0.5, hanging_ratio: 0.6, meshes_wide: 8, meshes_high: 5 }),
-            6 => square(3.5, 0.5).and_then(|net| net.with_gathering(7, 0.0)),
-            _ => return dome(),
-        }
-        .unwrap()
-    }
-
-    /// A graph that is not flat, and whose middle is not the origin: rings and radials of a dome.
-    fn dome() -> Web {
-        let (around, rings) = (8, 4);
-        let place = |ring: usize, number: usize| {
-            let (r, angle) = (0.6 * (ring + 1) as f64, PI / 4.0 * number as f64);
-            DVec3::new(3.0 + r * libm::cos(angle), 1.0 + r * libm::sin(angle), 1.0 - 0.2 * r * r)
-        };
-        let id = |ring: usize, number: usize| format!("{ring}-{}", number % around);
-        let all = || (0..rings).flat_map(|ring| (0..around).map(move |number| (ring, number)));
-        let nodes = all().map(|(ring, number)| GraphNode { id: id(ring, number), position: place(ring, number) });
-        let rope = |a: String, b: String| GraphRope { a, b, ..GraphRope::default() };
-        let round = all().map(|(ring, number)| rope(id(ring, number), id(ring, number + 1)));
-        let out =
-            all().filter(|&(ring, _)| ring > 0).map(|(ring, number)| rope(id(ring - 1, number), id(ring, number)));
-        graph(&Graph {
-            nodes: nodes.collect(),
-            ropes: round.chain(out).collect(),
-            outline: (0..around).map(|number| id(rings - 1, number)).collect(),
-            corners: (0..around).step_by(2).map(|number| id(rings - 1, number)).collect(),
-            ..Graph::default()
-        })
-        .unwrap()
-    }
-
-    fn stretch(net: &CutWeb, packed: &[DVec3]) -> f64 {
-        net.segments()
-            .map(|segment| packed[segment.a].distance(packed[segment.b]) / segment.rest_length - 1.0)
-            .fold(f64::NEG_INFINITY, f64::max)
-    }
 
     fn folded(folding: Folding, container: Container, spacing: f64) -> Folded {
         Folded { folding, container, spacing, mouth: Mouth::default() }
@@ -274,7 +228,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(512))]
         #[test]
         fn what_fits_its_container_stretches_no_rope_however_it_is_folded_and_disturbed(
-            kind in 0..8_usize,
+            kind in 0..SAMPLES.len(),
             folding in 0..FOLDINGS.len(),
             radius in 0.1..2.0_f64,
             slender in 0.2..4.0_f64,
@@ -283,12 +237,13 @@ mod tests {
             is_box in any::<bool>(),
             imperfection in prop::option::of((0.0..0.05_f64, -1.0..1.0_f64, 0.0..0.2_f64, any::<u64>())),
         ) {
-            let web = kind_of_web(kind).with_traction(6.0, 1).unwrap();
+            let web = SAMPLES[kind]().with_traction(6.0, 1).unwrap();
             let net = cut(&web, &Cutting::SegmentLength(segment_length)).unwrap();
             let height = slender * radius;
-            let container = match is_box {
-                true => Container::Box { width: 2.0 * radius, breadth: 1.5 * radius, height },
-                false => Container::Cylinder { radius, height },
+            let container = if is_box {
+                Container::Box { width: 2.0 * radius, breadth: 1.5 * radius, height }
+            } else {
+                Container::Cylinder { radius, height }
             };
             let imperfection =
                 imperfection.map(|(scatter, twist, slack, seed)| Imperfection { scatter, twist, slack, seed });
@@ -299,15 +254,15 @@ mod tests {
                 Err(PackingError::Room { enough, .. }) => pack(enough.expect("some container does")),
                 packed => packed,
             };
-            let longest = stretch(&net, &packed.unwrap());
+            let longest = longest_stretch(&net, &packed.unwrap());
             prop_assert!(longest < 1e-11, "{longest}");
         }
 
         #[test]
         fn what_is_packed_lies_in_its_container(
-            kind in 0..8_usize, folding in 0..FOLDINGS.len(), radius in 0.2..1.0_f64, height in 0.2..3.0_f64,
+            kind in 0..SAMPLES.len(), folding in 0..FOLDINGS.len(), radius in 0.2..1.0_f64, height in 0.2..3.0_f64,
         ) {
-            let net = cut(&kind_of_web(kind), &Cutting::SegmentLength(0.1)).unwrap();
+            let net = cut(&SAMPLES[kind](), &Cutting::SegmentLength(0.1)).unwrap();
             let container = Container::Cylinder { radius, height };
             let spacing = 0.004;
             let folding = FOLDINGS[folding];

@@ -93,7 +93,9 @@ pub enum PackingError {
     /// A size is negative or not a number.
     #[error("the {what} must be a length of 0 m or more, not {value} m")]
     Size {
-        /// Which size.
+        /// The name of its field.
+        argument: &'static str,
+        /// What it is called in the message.
         what: &'static str,
         /// Its value, m.
         value: f64,
@@ -171,6 +173,23 @@ pub enum PackingError {
     /// A position is not a finite number.
     #[error("the position of {0} is not a number")]
     NotFinite(String),
+}
+
+impl PackingError {
+    /// The name of the pattern's field that the error is about, such as "tractor_gap".
+    pub fn argument(&self) -> &'static str {
+        match self {
+            PackingError::Factor(_) => "factor",
+            PackingError::Size { argument, .. } => argument,
+            PackingError::Radius { .. } => "radius",
+            PackingError::Depth { .. } => "depth",
+            PackingError::TractorOutOfReach { .. } => "tractor_radius",
+            PackingError::Gap { .. } => "tractor_gap",
+            PackingError::Room { .. } => "container",
+            PackingError::NothingLed => "paths",
+            PackingError::Count { .. } | PackingError::Missing { .. } | PackingError::NotFinite(_) => "positions",
+        }
+    }
 }
 
 /// The longest stretch of any segment of a packed web, over its rest length.

@@ -28,7 +28,7 @@ impl Mouth {
     /// is that of the packed web, m. Nodes of traction ropes lie evenly on the line from corner to tractor.
     pub(super) fn close(&self, cut_web: &CutWeb, packed: &mut [DVec3], radius: f64) -> Result<(), PackingError> {
         let web = &cut_web.web;
-        let radius = size("tractors' radius", self.tractor_radius.unwrap_or(radius))?;
+        let radius = size("tractor_radius", "tractors' radius", self.tractor_radius.unwrap_or(radius))?;
         let gap = self.gap(web, packed, radius)?;
         packed.iter_mut().for_each(|node| *node -= DVec3::Z * gap);
         for (tractor, ropes) in web.traction.iter().enumerate() {
@@ -46,7 +46,7 @@ impl Mouth {
 
     /// How far the top of the packed web lies below the muzzle, m.
     fn gap(&self, web: &Web, packed: &[DVec3], radius: f64) -> Result<f64, PackingError> {
-        let stated = self.tractor_gap.map(|gap| size("tractor gap", gap)).transpose()?;
+        let stated = self.tractor_gap.map(|gap| size("tractor_gap", "tractor gap", gap)).transpose()?;
         let mut default = f64::INFINITY;
         for (tractor, ropes) in web.traction.iter().enumerate() {
             // the corner as it lies with no gap, and how far down the rope still reaches from its tractor
@@ -76,7 +76,7 @@ fn place(web: &Web, tractor: usize, radius: f64) -> DVec3 {
     corner.with_z(0.0).normalize_or_zero() * radius
 }
 
-/// A size that is not negative.
-pub(super) fn size(what: &'static str, value: f64) -> Result<f64, PackingError> {
-    if value >= 0.0 && value.is_finite() { Ok(value) } else { Err(PackingError::Size { what, value }) }
+/// A size, m, unless it is negative or not a number. `what` names it in the message.
+pub(super) fn size(argument: &'static str, what: &'static str, value: f64) -> Result<f64, PackingError> {
+    if value >= 0.0 && value.is_finite() { Ok(value) } else { Err(PackingError::Size { argument, what, value }) }
 }
