@@ -1,10 +1,10 @@
-//! Whether a web can be made: all that is wrong with it, at once.
+//! The check of a web that a user has listed: every fault of it, at once.
 
-use crate::{Pieces, Web, WebError};
+use crate::{Web, WebError};
 
 impl Web {
-    /// Everything that is wrong with the web: no knots or ropes, coordinates that are no numbers, ropes without a
-    /// length, loops, and pieces that nothing joins (ropes and canopies do).
+    /// Every fault of the web: no knots or no ropes, coordinates that are not numbers, ropes without a length, ropes that
+    /// end where they begin, and pieces that neither a rope nor a canopy joins.
     pub fn check(&self) -> Vec<WebError> {
         if self.knots.is_empty() || self.ropes.is_empty() {
             return vec![WebError::Empty { knots: self.knots.len(), ropes: self.ropes.len() }];
@@ -47,12 +47,43 @@ impl Web {
             pieces.join(rope.a, rope.b);
         }
         for canopy in &self.canopies {
-            canopy.rim.iter().for_each(|&corner| pieces.join(canopy.hub, corner));
+            for &corner in &canopy.rim {
+                pieces.join(canopy.hub, corner);
+            }
         }
         let first = pieces.root(0);
-        let stranger = (0..self.knots.len()).find(|&knot| pieces.root(knot) != first)?;
+        let apart = (0..self.knots.len()).find(|&knot| pieces.root(knot) != first)?;
         let count = (0..self.knots.len()).filter(|&knot| pieces.root(knot) == knot).count();
         let label = |knot: usize| self.knots[knot].label.clone();
-        Some(WebError::Disconnected { a: label(0), b: label(stranger), pieces: count })
+        Some(WebError::Disconnected { a: label(0), b: label(apart), pieces: count })
+    }
+}
+
+/// The connected pieces of a web: disjoint sets of knots. The first knot of a set stands for it.
+#[derive(Debug, Clone)]
+pub struct Pieces {
+    parent: Vec<usize>,
+}
+
+impl Pieces {
+    /// Every knot is a piece of its own.
+    pub fn new(count: usize) -> Pieces {
+        Pieces { parent: (0..count).collect() }
+    }
+
+    /// The first knot of the piece that a knot belongs to.
+    pub fn root(&mut self, mut knot: usize) -> usize {
+        while self.parent[knot] != knot {
+            // halve the path on the way up
+            self.parent[knot] = self.parent[self.parent[knot]];
+            knot = self.parent[knot];
+        }
+        knot
+    }
+
+    /// Joins the pieces of two knots.
+    pub fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b)] = a.min(b);
     }
 }

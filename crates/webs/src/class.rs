@@ -1,4 +1,4 @@
-//! Link classes: the groups that a web's ropes are reported in.
+//! Link classes: the groups of ropes that tensions and lengths are reported by.
 
 use std::fmt;
 
@@ -21,17 +21,17 @@ pub enum Class {
     Hexagon,
     /// A member that stands for a canopy's fabric; no [`crate::Web`] has such a rope, a model of its canopies may.
     Canopy,
-    /// A thread that holds a node where it is stowed until it breaks; as little a rope of a [`crate::Web`].
+    /// A thread that holds a node where it is stowed until it breaks; no [`crate::Web`] has such a rope.
     Tie,
-    /// A thread that holds two folds together until it rips; as little a rope of a [`crate::Web`].
+    /// A thread that holds two folds together until it rips; no [`crate::Web`] has such a rope.
     Stitch,
     /// A class that the user named.
     Named(String),
 }
 
 impl Class {
-    /// The class of ropes of this name: one of ours in any case of letters, else [`Class::Named`] with the name as given;
-    /// none where the name is that of what is no rope.
+    /// The class of ropes of this name: a built-in one in any case of letters, else [`Class::Named`] with the name as given;
+    /// none where the name is that of a class without ropes.
     pub fn from_name(name: &str) -> Option<Class> {
         let ours = [
             Class::Traction,
@@ -50,7 +50,7 @@ impl Class {
         Some(known.unwrap_or_else(|| Class::Named(name.to_owned()))).filter(Class::is_rope)
     }
 
-    /// The class's name: ours in lower case, the user's as given.
+    /// The class's name: a built-in one in lower case, a user's as given.
     pub fn name(&self) -> &str {
         match self {
             Class::Traction => "traction",
@@ -67,12 +67,12 @@ impl Class {
         }
     }
 
-    /// Whether it is one of ropes.
+    /// Whether its members are ropes.
     pub fn is_rope(&self) -> bool {
         !matches!(self, Class::Canopy | Class::Tie | Class::Stitch)
     }
 
-    /// Whether what is of it is meant to break.
+    /// Whether its members are meant to break.
     pub fn is_made_to_break(&self) -> bool {
         matches!(self, Class::Tie | Class::Stitch)
     }

@@ -10,26 +10,13 @@ use crate::Class;
 /// Lattice links along a side of the hexagon: its "frequency".
 const FREQUENCY: i32 = 3;
 
-/// Steps to a knot's six neighbours, in coordinates along the directions of 30 and 90 degrees; step k points to 30 +
-/// 60 k degrees.
+/// Steps to a knot's six neighbours. A site of the lattice has the coordinates (q, r), in links along the directions of 30
+/// and 90 degrees; step k points to 30 + 60 k degrees.
 const STEPS: [(i32, i32); 6] = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
-
-/// Unit vector at 30 + 60 k degrees from the x axis, anticlockwise; opposite directions are exact negatives.
-pub(crate) fn compass(k: usize) -> DVec3 {
-    let x = 0.75_f64.sqrt();
-    match k % 6 {
-        0 => DVec3::new(x, 0.5, 0.0),
-        1 => DVec3::Y,
-        2 => DVec3::new(-x, 0.5, 0.0),
-        3 => DVec3::new(-x, -0.5, 0.0),
-        4 => DVec3::NEG_Y,
-        _ => DVec3::new(x, -0.5, 0.0),
-    }
-}
 
 /// What stands on a lattice knot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Occupant {
     /// A plate (canopy or rope hexagon) of this number, from 1.
     Plate(usize),
     /// The bare corner of this number, from 1.
@@ -39,13 +26,13 @@ pub(crate) enum Place {
 /// A knot of the lattice.
 pub(crate) struct LatticeKnot {
     pub(crate) position: DVec3,
-    pub(crate) place: Place,
+    pub(crate) occupant: Occupant,
     /// The lattice hexagon that it stands on: 0 for the centre, [`FREQUENCY`] for the outline.
     pub(crate) ring: i32,
 }
 
-/// A link between two neighbours; `a` is never on the outer ring of the two.
-pub(crate) struct Link {
+/// A link between two neighbouring knots. The ring of `a` is never the outer one of the two.
+pub(crate) struct LatticeLink {
     pub(crate) a: usize,
     pub(crate) b: usize,
     /// From a to b is 30 + 60 `direction` degrees.
@@ -58,7 +45,7 @@ pub(crate) struct Link {
 pub(crate) struct Lattice {
     pub(crate) spacing: f64,
     pub(crate) knots: Vec<LatticeKnot>,
-    pub(crate) links: Vec<Link>,
+    pub(crate) links: Vec<LatticeLink>,
     /// The knots of the outline, anticlockwise from the corner at 30 degrees.
     pub(crate) outline: Vec<usize>,
 }
@@ -72,13 +59,13 @@ pub(crate) fn lattice(side: f64) -> Lattice {
     let is_corner = |&(q, r): &(i32, i32)| ring_of((q, r)) == FREQUENCY && is_on_axis((q, r));
     let walk: Vec<(i32, i32)> = rings.flatten().chain([(0, 0)]).collect();
     let (corners, plates): (Vec<_>, Vec<_>) = walk.iter().copied().partition(is_corner);
-    let places = (1..=plates.len()).map(Place::Plate).chain((1..=corners.len()).map(Place::Corner));
+    let occupants = (1..=plates.len()).map(Occupant::Plate).chain((1..=corners.len()).map(Occupant::Corner));
     let sites: Vec<(i32, i32)> = plates.iter().chain(&corners).copied().collect();
     let index: BTreeMap<(i32, i32), usize> = sites.iter().enumerate().map(|(knot, &site)| (site, knot)).collect();
     let knots = sites
         .iter()
-        .zip(places)
-        .map(|(&site, place)| LatticeKnot { position: position(site) * spacing, place, ring: ring_of(site) })
+        .zip(occupants)
+        .map(|(&site, occupant)| LatticeKnot { position: position(site) * spacing, occupant, ring: ring_of(site) })
         .collect();
 
     let mut links = Vec::new();
@@ -88,11 +75,11 @@ pub(crate) fn lattice(side: f64) -> Lattice {
             let Some(&b) = index.get(&neighbour) else { continue };
             // each link once, from the inner ring outwards
             if (ring_of(site), a) < (ring_of(neighbour), b) {
-                links.push(Link { a, b, direction, class: class(site, neighbour) });
+                links.push(LatticeLink { a, b, direction, class: class(site, neighbour) });
             }
         }
     }
-    links.sort_by(|one, other| one.class.cmp(&other.class));
+    links.sort_by(|a, b| a.class.cmp(&b.class));
 
     let outline = ring(FREQUENCY).iter().map(|site| index[site]).collect();
     Lattice { spacing, knots, links, outline }
@@ -141,6 +128,7 @@ fn class(a: (i32, i32), b: (i32, i32)) -> Class {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plane::compass;
 
     #[test]
     fn thirty_seven_knots_and_ninety_links() {
@@ -158,8 +146,8 @@ mod tests {
     fn plates_are_numbered_from_the_outline_to_the_centre() {
         let lattice = lattice(2.5);
         for (knot, of) in lattice.knots.iter().enumerate() {
-            let expected = if knot < 31 { Place::Plate(knot + 1) } else { Place::Corner(knot - 30) };
-            assert_eq!(of.place, expected);
+            let expected = if knot < 31 { Occupant::Plate(knot + 1) } else { Occupant::Corner(knot - 30) };
+            assert_eq!(of.occupant, expected);
         }
         let ring = |number: usize| lattice.knots[number - 1].ring;
         assert!((1..=12).all(|number| ring(number) == 3));

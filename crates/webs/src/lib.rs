@@ -38,7 +38,7 @@ mod gathering;
 mod graph;
 mod lattice;
 pub mod packing;
-mod pieces;
+mod plane;
 mod plates;
 mod polygon;
 mod radial;
@@ -55,20 +55,21 @@ mod symmetry;
 mod topological;
 mod traction;
 mod traditional;
-mod vector_area;
 mod web;
 
 pub use bill::{Bill, PACKED_FILL, Parts, RopeKind, RopeLine, Solid, bill};
+pub use check::Pieces;
 pub use class::Class;
 pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut};
 pub use diamond::{Diamond, diamond};
 pub use error::WebError;
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{
-    Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, Led, LongestStretch, Mouth,
-    PackingError, Pattern, Prescribed, Scale, Sector, Settled, Size, StiffPlate, StowedSegment, audit, closeness,
+    Approach, Audit, Bag, Closeness, Container, DrivenNode, Folded, Folding, Given, Imperfection, LongestStretch,
+    Mouth, PackingError, Pattern, Prescribed, Scale, Sector, Settled, Size, StiffPlate, StowedSegment, audit,
+    closeness,
 };
-pub use pieces::Pieces;
+pub use plane::vector_area;
 pub use polygon::{parallel_spacing, polygon};
 pub use radial::{Radial, radial};
 pub use sheet::{Sheet, hexagonal_sheet};
@@ -77,5 +78,4 @@ pub use square::square;
 pub use stubs::Merged;
 pub use topological::topological;
 pub use traditional::traditional;
-pub use vector_area::vector_area;
 pub use web::{Canopy, Knot, Rope, Site, Web};

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::{positive, rounded};
-use crate::lattice::{Lattice, Link, Place, lattice};
+use crate::lattice::{Lattice, LatticeLink, Occupant, lattice};
+use crate::plane::hexagon_corner;
 use crate::{Class, Knot, Rope, Site, Web, WebError};
 
 /// What stands on the knots of the lattice.
@@ -58,12 +59,12 @@ pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result
     let mut web = Web::default();
     let mut plates = Vec::new();
     for knot in &lattice.knots {
-        match knot.place {
-            Place::Plate(number) => {
+        match knot.occupant {
+            Occupant::Plate(number) => {
                 let label = format!("{} {number}", kind.name);
                 plates.push(add_plate(&mut web.knots, &label, knot.position, plate_side, kind.has_hub));
             }
-            Place::Corner(number) => {
+            Occupant::Corner(number) => {
                 web.corners.push(web.knots.len());
                 web.knots.push(Knot::new(format!("web corner {number}"), knot.position));
             }
@@ -75,9 +76,9 @@ pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result
     web.outline = lattice
         .outline
         .iter()
-        .map(|&knot| match lattice.knots[knot].place {
-            Place::Plate(number) => plates[number - 1].centre(),
-            Place::Corner(number) => vec![web.corners[number - 1]],
+        .map(|&knot| match lattice.knots[knot].occupant {
+            Occupant::Plate(number) => plates[number - 1].centre(),
+            Occupant::Corner(number) => vec![web.corners[number - 1]],
         })
         .collect();
     web.centre = plates[plates.len() - 1].centre();
@@ -91,34 +92,24 @@ fn add_plate(knots: &mut Vec<Knot>, label: &str, centre: DVec3, side: f64, has_h
         knots.len() - 1
     });
     let rim = std::array::from_fn(|corner| {
-        knots.push(Knot::new(format!("corner {} of {label}", corner + 1), centre + rim_direction(corner) * side));
+        knots.push(Knot::new(
+            format!("corner {} of {label}", corner + 1),
+            centre + hexagon_corner(corner).extend(0.0) * side,
+        ));
         knots.len() - 1
     });
     Plate { hub, rim }
 }
 
-/// Unit vector at 60 k degrees from the x axis, anticlockwise; opposite directions are exact negatives.
-fn rim_direction(k: usize) -> DVec3 {
-    let y = 0.75_f64.sqrt();
-    match k % 6 {
-        0 => DVec3::X,
-        1 => DVec3::new(0.5, y, 0.0),
-        2 => DVec3::new(-0.5, y, 0.0),
-        3 => DVec3::NEG_X,
-        4 => DVec3::new(-0.5, -y, 0.0),
-        _ => DVec3::new(0.5, -y, 0.0),
-    }
-}
-
 /// The two ropes of a link; rope 1 runs on the right as seen from a to b.
-fn double_rope(lattice: &Lattice, link: &Link, plates: &[Plate], corners: &[usize]) -> [Rope; 2] {
-    let tie = |knot: usize, corner: usize| match lattice.knots[knot].place {
-        Place::Plate(number) => plates[number - 1].rim[corner % 6],
-        Place::Corner(number) => corners[number - 1],
+fn double_rope(lattice: &Lattice, link: &LatticeLink, plates: &[Plate], corners: &[usize]) -> [Rope; 2] {
+    let tie = |knot: usize, corner: usize| match lattice.knots[knot].occupant {
+        Occupant::Plate(number) => plates[number - 1].rim[corner % 6],
+        Occupant::Corner(number) => corners[number - 1],
     };
-    let name = |knot: usize| match lattice.knots[knot].place {
-        Place::Plate(number) => number.to_string(),
-        Place::Corner(number) => format!("web corner {number}"),
+    let name = |knot: usize| match lattice.knots[knot].occupant {
+        Occupant::Plate(number) => number.to_string(),
+        Occupant::Corner(number) => format!("web corner {number}"),
     };
     // a's side that faces b runs from corner k to k + 1, b's side that faces a from k + 3 to k + 4
     let k = link.direction;

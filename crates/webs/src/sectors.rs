@@ -5,10 +5,10 @@
 //! of m on a side of ring j meets ring j + 1 on the same ray.
 
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use glam::DVec3;
 
+use crate::plane::direction;
 use crate::rope_list::RopeList;
 use crate::{Class, Knot, Site, Web};
 
@@ -83,48 +83,5 @@ impl Sectors {
             }
         }
         (first..knots.len()).collect()
-    }
-}
-
-/// Unit vector at k n-ths of a turn anticlockwise from the y axis. Quarter turns and mirror images about the axes and
-/// the diagonals are exact.
-fn direction(k: usize, n: usize) -> DVec3 {
-    let (quarter, rest) = (4 * k / n % 4, 4 * k % n);
-    let eighth = |part: usize| libm::sincos(FRAC_PI_2 * (part as f64 / n as f64));
-    let (sin, cos) = match (2 * rest).cmp(&n) {
-        std::cmp::Ordering::Less => eighth(rest),
-        std::cmp::Ordering::Equal => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
-        std::cmp::Ordering::Greater => {
-            let (sin, cos) = eighth(n - rest);
-            (cos, sin)
-        }
-    };
-    let (x, y) = match quarter {
-        0 => (-sin, cos),
-        1 => (-cos, -sin),
-        2 => (sin, -cos),
-        _ => (cos, sin),
-    };
-    DVec3::new(x, y, 0.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::TAU;
-
-    use super::*;
-
-    #[test]
-    fn directions_are_those_of_the_circle_with_exact_mirror_images() {
-        for n in 3..50 {
-            for k in 0..n {
-                let (sin, cos) = libm::sincos(TAU * k as f64 / n as f64);
-                assert!(direction(k, n).distance(DVec3::new(-sin, cos, 0.0)) < 1e-14, "{k} of {n}");
-                let (one, other) = (direction(k, n), direction(n - k, n));
-                assert_eq!((one.x, one.y), (-other.x, other.y), "{k} of {n}");
-            }
-        }
-        assert_eq!(direction(0, 7), DVec3::Y);
-        assert_eq!(direction(3, 8), -direction(7, 8));
     }
 }

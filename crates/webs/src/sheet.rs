@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use crate::WebError;
 use crate::error::{in_range, positive};
+use crate::plane::hexagon_corner;
 
 /// Finest mesh of a sheet, triangles along a side.
 const MOST_FINENESS: usize = 100;
@@ -41,7 +42,7 @@ pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
     let mut triangles = Vec::new();
     for ring in 1..=fineness {
         for sector in 0..6 {
-            let (corner, next) = (corner(sector), corner(sector + 1));
+            let (corner, next) = (hexagon_corner(sector), hexagon_corner(sector + 1));
             for step in 0..ring {
                 nodes.push(spacing * ((ring - step) as f64 * corner + step as f64 * next));
                 let outer = [node(ring, sector, step), node(ring, sector, step + 1)];
@@ -62,19 +63,6 @@ pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
         corners: std::array::from_fn(|k| node(fineness, k, 0)),
         sides: std::array::from_fn(|k| (0..=fineness).map(|step| node(fineness, k, step)).collect()),
     })
-}
-
-/// Unit vector at 60 k degrees; opposite ones are exact negatives.
-fn corner(k: usize) -> DVec2 {
-    let y = 0.75_f64.sqrt();
-    match k % 6 {
-        0 => DVec2::X,
-        1 => DVec2::new(0.5, y),
-        2 => DVec2::new(-0.5, y),
-        3 => DVec2::NEG_X,
-        4 => DVec2::new(-0.5, -y),
-        _ => DVec2::new(0.5, -y),
-    }
 }
 
 /// The node `step` steps on from the corner of a sector on a ring.
@@ -156,7 +144,7 @@ mod tests {
             let (from, to) = (sheet.corners[k], sheet.corners[(k + 1) % 6]);
             let side = &sheet.sides[k];
             assert_eq!((side[0], side[4], side.len()), (from, to, 5));
-            assert!(sheet.nodes[from].distance(0.14 * corner(k)) < 1e-15);
+            assert!(sheet.nodes[from].distance(0.14 * hexagon_corner(k)) < 1e-15);
             for pair in side.windows(2) {
                 let step = (sheet.nodes[to] - sheet.nodes[from]) / 4.0;
                 assert!((sheet.nodes[pair[1]] - sheet.nodes[pair[0]]).distance(step) < 1e-15);

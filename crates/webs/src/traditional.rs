@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::{in_range, positive};
-use crate::lattice::compass;
+use crate::plane::compass;
 use crate::rope_list::RopeList;
 use crate::{Class, Knot, Site, Web, WebError};
 

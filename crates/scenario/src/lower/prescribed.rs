@@ -1,7 +1,7 @@
 //! A web that is led into its container: what is led, along which paths.
 
 use glam::DVec3;
-use netcast_webs::{CutWeb, Led, Prescribed, StiffPlate};
+use netcast_webs::{CutWeb, DrivenNode, Prescribed, StiffPlate};
 
 use super::drives::Drives;
 use super::stowing::mouth;
@@ -33,7 +33,7 @@ pub fn prescribed(
     Ok(Prescribed {
         radius: stow.radius.si(),
         depth: stow.depth.map(|depth| depth.si()),
-        paths: led.into_iter().map(|drive| Led { node: drive.node, path: drive.path }).collect(),
+        paths: led.into_iter().map(|drive| DrivenNode { node: drive.node, path: drive.path }).collect(),
         time: stow.time.si(),
         gravity: stow.gravity.si(),
         damping: stow.damping.si(),

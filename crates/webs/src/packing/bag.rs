@@ -1,11 +1,11 @@
-//! A bag: the web drawn in to a radius, its middle hanging below, its tractors on top in the muzzle's plane.
+//! A bag: the web is drawn in to a radius. Its middle hangs below, its tractors stand on top in the muzzle's plane.
 //!
 //! ```text
 //! r -> a r,   theta -> theta,   z = -gap - depth (1 - r / r_max),   a = radius / r_max
 //! ```
-//! with r, theta polar about the web's middle in its plane and r_max the web's radius. Of two points dr apart
-//! radially and ds apart in all, the images are sqrt(a^2 ds^2 + (depth dr / r_max)^2) apart, and dr <= ds: so no rope
-//! is stretched where radius^2 + depth^2 <= r_max^2.
+//! Here r and theta are polar coordinates about the web's middle in its plane, and r_max is the web's radius. Two points
+//! at a distance ds, dr of it radial, have images at a distance of at most sqrt(a^2 ds^2 + (depth dr / r_max)^2). As
+//! dr <= ds, no rope is stretched where radius^2 + depth^2 <= r_max^2.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ use super::mouth::{Mouth, ROUNDING, size};
 use super::{Imperfection, PackingError};
 use crate::{CutWeb, Web};
 
-/// Share of the largest possible depth that a bag takes where none is stated: slack enough to lie in a bag.
+/// Depth of a bag where none is given, as a share of the largest possible depth: ropes are then slack.
 const DEFAULT_SHARE: f64 = 0.6;
 
 /// The web in a bag; lengths in m.
@@ -21,7 +21,7 @@ const DEFAULT_SHARE: f64 = 0.6;
 pub struct Bag {
     /// Radius that the web's rim (its farthest knot) is drawn in to.
     pub radius: f64,
-    /// How far the middle hangs below the rim; 0.6 of the largest possible where none is stated.
+    /// How far the middle hangs below the rim; none: 0.6 of the largest possible depth.
     pub depth: Option<f64>,
     /// Where the tractors stand.
     pub mouth: Mouth,
@@ -48,7 +48,7 @@ impl Bag {
         Ok(packed)
     }
 
-    fn shape(&self, web: &Web) -> Result<Shape, PackingError> {
+    fn shape(&self, web: &Web) -> Result<BagShape, PackingError> {
         let reach = web.radius();
         if !(self.radius > 0.0 && self.radius <= reach * (1.0 + ROUNDING)) {
             return Err(PackingError::Radius { radius: self.radius, limit: reach });
@@ -59,19 +59,19 @@ impl Bag {
         if depth > limit * (1.0 + ROUNDING) {
             return Err(PackingError::Depth { depth, limit });
         }
-        Ok(Shape { radius: self.radius, depth, reach })
+        Ok(BagShape { radius: self.radius, depth, reach })
     }
 }
 
 /// The bag's shape with its rim in the plane z = 0.
-struct Shape {
+struct BagShape {
     radius: f64,
     depth: f64,
     /// The flat web's radius.
     reach: f64,
 }
 
-impl Shape {
+impl BagShape {
     /// Where a point of the flat web, relative to its middle, lies in the bag.
     fn place(&self, point: DVec3) -> DVec3 {
         let flat = point.truncate();

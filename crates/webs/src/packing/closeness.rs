@@ -1,6 +1,6 @@
-//! How near ropes that are not tied together come to each other.
+//! Closeness: the least distance of two ropes that share no knot.
 //!
-//! Centre lines of segments are compared, those of ropes that share a knot left out. Candidates come from parry's tree
+//! Centre lines of segments are compared, except those of ropes that share a knot. Candidates come from parry's tree
 //! of bounding boxes, distances from its closest points of two segments (Ericson, Real-Time Collision Detection, 2005,
 //! 5.1.9).
 
@@ -15,12 +15,12 @@ use crate::CutWeb;
 /// The most pairs of segments that are compared; a second or two.
 const MOST_PAIRS: usize = 50_000_000;
 
-/// How near ropes come that are not tied together.
+/// How near ropes that share no knot come to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closeness {
-    /// The two segments that come nearest; none where all ropes are tied together. The first of equals.
+    /// The two segments that come nearest; none where all ropes share a knot. The first of equals.
     pub closest: Option<Approach>,
-    /// Pairs of segments that come nearer than a diameter (half the sum of both ropes') and so would touch.
+    /// Pairs of segments that come nearer than the mean diameter of their ropes, and so would touch.
     pub touching: usize,
 }
 
@@ -54,7 +54,7 @@ pub fn closeness(cut_web: &CutWeb, positions: &[DVec3], diameters: &[f64]) -> Op
     let mut budget = MOST_PAIRS;
     loop {
         let near = compare(&strands, &boxes, &tree, margin, &mut budget)?;
-        // what is farther apart than the margin may not be all that is so near
+        // beyond the margin a nearer pair may not have been found
         let is_sure = near.closest.is_some_and(|closest| closest.distance <= margin);
         if is_sure || margin >= size {
             return Some(near);
@@ -66,25 +66,25 @@ pub fn closeness(cut_web: &CutWeb, positions: &[DVec3], diameters: &[f64]) -> Op
 struct Strand {
     segment: Segment,
     radius: f64,
-    /// Those of its rope.
+    /// The knots of its rope.
     knots: [usize; 2],
 }
 
 fn compare(strands: &[Strand], boxes: &[Aabb], tree: &Bvh, margin: f64, budget: &mut usize) -> Option<Closeness> {
     let mut found = Closeness { closest: None, touching: 0 };
-    for (one, strand) in strands.iter().enumerate() {
-        let around = boxes[one].loosened(margin);
-        let others = tree.intersect_aabb(&around).map(|other| other as usize).filter(|&other| other > one);
-        for other in others {
+    for (first, strand) in strands.iter().enumerate() {
+        let around = boxes[first].loosened(margin);
+        let others = tree.intersect_aabb(&around).map(|other| other as usize).filter(|&other| other > first);
+        for second in others {
             *budget = budget.checked_sub(1)?;
-            let second = &strands[other];
-            if strand.knots.iter().any(|knot| second.knots.contains(knot)) {
+            let other = &strands[second];
+            if strand.knots.iter().any(|knot| other.knots.contains(knot)) {
                 continue;
             }
-            let (place, distance) = nearest(&strand.segment, &second.segment);
-            found.touching += usize::from(distance < strand.radius + second.radius);
-            let approach = Approach { segments: [one, other], distance, place };
-            // the tree tells its leaves in no particular order
+            let (place, distance) = nearest(&strand.segment, &other.segment);
+            found.touching += usize::from(distance < strand.radius + other.radius);
+            let approach = Approach { segments: [first, second], distance, place };
+            // the tree returns its leaves in no particular order
             let key = |approach: &Approach| (approach.distance, approach.segments);
             if found.closest.is_none_or(|closest| key(&approach) < key(&closest)) {
                 found.closest = Some(approach);

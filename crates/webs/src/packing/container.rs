@@ -1,11 +1,11 @@
-//! The room that a web is packed into.
+//! The container that a web is packed into.
 
 use std::f64::consts::SQRT_2;
 use std::fmt;
 
 use glam::DVec3;
 
-/// A room about the launch axis, its mouth at the top. Sizes are inner ones, in m.
+/// A container about the launch axis, its mouth at the top. Sizes are inner ones, in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Container {
     /// A tube.
@@ -49,7 +49,7 @@ impl Container {
         }
     }
 
-    /// Whether points lie in it when its mouth is moved along the axis to the highest of them. Rounding is forgiven.
+    /// Whether points lie in it once its mouth is moved along the axis to the highest of them, rounding apart.
     pub(super) fn holds(&self, points: impl Iterator<Item = DVec3>) -> bool {
         let room = 1.0 + 1e-9;
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -80,7 +80,7 @@ impl Container {
         }
     }
 
-    /// The room that is left for the centre lines of ropes `thickness` thick, m.
+    /// The container of the centre lines of ropes of this `thickness`, m.
     pub(super) fn for_centre_lines(&self, thickness: f64) -> Container {
         match *self {
             Container::Cylinder { radius, height } => Container::Cylinder {

@@ -1,8 +1,8 @@
-//! A web folded into a container: by which pattern, into what room, how far apart its layers lie.
+//! A web folded into a container: its pattern, its container, the distance of its layers.
 //!
-//! Every pattern is a map of the plane that moves no two points apart, so that whatever is drawn in the plane, rope or
-//! cloth, is stretched nowhere (`bend.rs`, `rings.rs` and `star.rs` say why). A web that is not flat is first projected
-//! on its plane, which moves no points apart either.
+//! Every pattern is a map of the plane that moves no two points apart (`bend.rs`, `rings.rs` and `star.rs` say why).
+//! Ropes and cloth, which are drawn in the plane, are therefore not stretched. A web that is not flat is first projected
+//! on its plane; that moves no points apart either.
 
 use glam::{DVec2, DVec3};
 
@@ -25,7 +25,7 @@ pub enum Folding {
     Roll,
     /// Radial folds wound round the middle.
     Star {
-        /// Number of arms; where none is stated, that of the corners, or 6 where there are fewer than 3.
+        /// Number of arms; none: the number of corners, or 6 where there are fewer than 3 corners.
         arms: Option<u32>,
     },
 }
@@ -33,11 +33,11 @@ pub enum Folding {
 /// The web folded into a container.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Folded {
-    /// How.
+    /// The pattern.
     pub folding: Folding,
-    /// The room it is to fit.
+    /// The container.
     pub container: Container,
-    /// Distance between the centre lines of neighbouring layers, m: the thickness of what lies in them.
+    /// Distance between the centre lines of neighbouring layers, m: the thickness of a layer.
     pub spacing: f64,
     /// Where the tractors stand.
     pub mouth: Mouth,
@@ -63,7 +63,7 @@ impl Folded {
         Ok(packed)
     }
 
-    /// The web in this container, its top at z = 0; none where it does not fit.
+    /// Positions of the web in this container, its top at z = 0, m, (nodes,); none where it does not fit.
     fn within(&self, flat: &Flat, container: &Container) -> Option<Vec<DVec3>> {
         let room = container.for_centre_lines(self.spacing);
         let map = self.map(flat, &room);
@@ -76,7 +76,9 @@ impl Folded {
             Folding::Rings | Folding::Star { .. } => DVec3::ZERO,
             Folding::Lines | Folding::Layers | Folding::Roll => 0.5 * (least + most),
         };
-        packed.iter_mut().for_each(|place| *place -= aside.with_z(most.z));
+        for place in &mut packed {
+            *place -= aside.with_z(most.z);
+        }
         let web = flat.is_web.iter().zip(&packed).filter(|(is_web, _)| **is_web).map(|(_, &place)| place);
         room.holds(web).then_some(packed)
     }
@@ -89,11 +91,11 @@ impl Folded {
             Folding::Layers => Legs::Flat,
             Folding::Roll => Legs::Rolled,
         };
-        Box::new(folds::fold(legs, flat.extent, room, self.spacing))
+        Box::new(folds::fold(legs, flat.least, flat.most, room, self.spacing))
     }
 
-    /// The smallest container of these proportions that does, in steps of 1 %, its sizes rounded up to three digits;
-    /// none where none up to a thousand times as large does.
+    /// The smallest container of the same proportions that the web fits, in steps of 1 %, its sizes rounded up to three
+    /// digits; none if not even one a thousand times as large takes it.
     fn enough(&self, flat: &Flat) -> Option<Container> {
         // whole numbers of layers: a larger container may fail where a smaller one does
         let factors = std::iter::successors(Some(1.01), |factor| Some(1.01 * factor));
@@ -102,7 +104,7 @@ impl Folded {
     }
 }
 
-/// The least number of three digits that is no smaller.
+/// Rounds up to three significant digits.
 fn round_up(value: f64) -> f64 {
     let digit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
     (value / digit).ceil() * digit
@@ -113,10 +115,12 @@ struct Flat<'a> {
     web: &'a Web,
     /// Every node relative to the middle, m.
     nodes: Vec<DVec2>,
-    /// Whether it is one of the web itself, not of a traction rope and no tractor on one.
+    /// Whether a node belongs to the web itself: not to a traction rope, and not a tractor on one.
     is_web: Vec<bool>,
-    /// Least and largest coordinates of the web's nodes, m.
-    extent: [DVec2; 2],
+    /// Least coordinates of the web's nodes, m.
+    least: DVec2,
+    /// Largest coordinates of the web's nodes, m.
+    most: DVec2,
     /// The web's radius, m.
     radius: f64,
 }
@@ -129,7 +133,7 @@ impl Flat<'_> {
         let of_the_web = || nodes.iter().zip(&is_web).filter(|(_, is_web)| **is_web).map(|(&node, _)| node);
         let least = of_the_web().fold(DVec2::INFINITY, DVec2::min);
         let most = of_the_web().fold(DVec2::NEG_INFINITY, DVec2::max);
-        Flat { web, extent: [least, most], radius: web.radius(), nodes, is_web }
+        Flat { web, least, most, radius: web.radius(), nodes, is_web }
     }
 
     fn arms(&self, stated: Option<u32>) -> Arms {

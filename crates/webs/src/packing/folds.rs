@@ -10,21 +10,22 @@ use glam::{DVec2, DVec3, dvec3};
 use super::Container;
 use super::bend::{Roll, Serpentine};
 
-/// Where the legs of both folds lie.
+/// The directions of the legs of both folds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Legs {
-    /// Those of the first along the launch axis, those of the second across: folds at the top and at the bottom.
+    /// First fold: along the launch axis, so that it bends at the top and at the bottom. Second fold: across the axis.
     Upright,
-    /// Both across: flat layers on one another.
+    /// Both folds: across the axis, flat layers on one another.
     Flat,
-    /// Those of the first along the launch axis; the band that they make is rolled up about it from its middle.
+    /// First fold: along the launch axis. The band that it makes is rolled up about the axis from its middle.
     Rolled,
 }
 
 /// Folds a rectangle from `least` to `most`, m, into a container; layers lie `spacing` apart, m.
 pub(super) fn fold(
     legs: Legs,
-    [least, most]: [DVec2; 2],
+    least: DVec2,
+    most: DVec2,
     container: &Container,
     spacing: f64,
 ) -> impl Fn(DVec2) -> DVec3 + use<> {

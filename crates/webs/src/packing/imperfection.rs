@@ -1,16 +1,16 @@
-//! Seeded imperfection of a packed web: it is twisted, shrunk a little and scattered, and nothing is stretched by that.
+//! Seeded imperfection of a packed web: the web is twisted, shrunk a little and scattered. That stretches nothing.
 //!
-//! 1. Every node is turned about the launch axis, by nothing at the top and by `twist` at the lowest node, in proportion
-//!    to its depth.
-//! 2. The web is shrunk towards the axis at its top: by as much as the twist stretched any tie, so that none is
-//!    stretched any more, and then by `slack`.
+//! 1. Every node is turned about the launch axis in proportion to its depth: by 0 at the top, by `twist` at the lowest
+//!    node.
+//! 2. The web is shrunk towards the axis at its top: by as much as the twist has exceeded any distance limit, and then by
+//!    `slack`.
 //! 3. Node by node, in order, each is moved aside, normal to the axis, by two normal deviates of standard deviation
-//!    `scatter`; where a tie would be stretched by that, by the largest share of the way that stretches none. The nodes of
-//!    a canopy move as one: cloth is not stretched by that, and a plate not bent.
+//!    `scatter`. Where that would exceed a distance limit, it moves by the largest share of the way that does not. The
+//!    nodes of a canopy move as one, so that cloth is not stretched and a plate not bent.
 //!
-//! A tie is a segment of rope, or a pair of knots of one canopy: at most its rest length apart before, it is so after
-//! each of these. Deviates come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), and elementary
-//! functions from libm: a seed means the same bits on every machine.
+//! The distance limits are those of ropes and canopies. If all are kept before, all are kept after each step. Deviates
+//! come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), elementary functions from libm: a seed means
+//! the same bits on every machine.
 
 use std::f64::consts::TAU;
 
@@ -29,18 +29,17 @@ pub struct Imperfection {
     pub scatter: f64,
     /// Turn of the lowest node about the launch axis against the highest, rad.
     pub twist: f64,
-    /// By how much the web is shrunk beforehand, so that its ropes have room to move: 0 or more, less than 1.
+    /// Share by which the web is shrunk before it is scattered, so that its ropes have room to move: 0 or more, less than 1.
     pub slack: f64,
-    /// What the scatter is drawn from.
+    /// The seed of the scatter.
     pub seed: u64,
 }
 
-/// What a tie may be longer than its rest length by, relative, for rounding not to shrink a web that is none the worse
-/// for it.
+/// An excess over a distance limit that rounding explains, relative. It does not shrink the web.
 const ROUNDING: f64 = 1e-12;
 
 impl Imperfection {
-    /// Disturbs the nodes of a packed web that are listed in `is_part`.
+    /// Disturbs the nodes of a packed web for which `is_part`, (nodes,), is true.
     pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
         let is_within = |limit: &DistanceLimit| limit.ends.iter().all(|&end| is_part[end]);
         let limits = distance_limits::of_ropes(cut_web).chain(distance_limits::of_canopies(cut_web));
@@ -69,31 +68,38 @@ impl Imperfection {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         for group in groups {
             let way = (self.scatter * normal_pair(&mut random)).extend(0.0);
-            let allowed = group
-                .iter()
-                .flat_map(|&node| neighbours.of_node(node).map(move |tie| (node, tie)))
-                .filter(|(_, (other, _))| !group.contains(other))
-                .map(|(node, &(other, length))| reach(packed[node] - packed[other], way, length))
-                .fold(1.0, f64::min);
-            group.iter().for_each(|&node| packed[node] += way * allowed);
+            let mut allowed = 1.0_f64;
+            for &node in group {
+                for &(neighbour, length) in neighbours.of_node(node) {
+                    if !group.contains(&neighbour) {
+                        allowed = allowed.min(reach(packed[node] - packed[neighbour], way, length));
+                    }
+                }
+            }
+            for &node in group {
+                packed[node] += way * allowed;
+            }
         }
     }
 }
 
-/// What moves as one, in the order of the first node of each.
+/// Nodes that move as one, in the order of the first node of each group.
 fn groups(cut_web: &CutWeb, parts: &[usize]) -> Vec<Vec<usize>> {
     let mut groups = cut_web.canopy_nodes();
     let mut is_grouped = vec![false; cut_web.nodes.len()];
-    groups.iter().flatten().for_each(|&node| is_grouped[node] = true);
+    for &node in groups.iter().flatten() {
+        is_grouped[node] = true;
+    }
     groups.extend(parts.iter().filter(|&&node| !is_grouped[node]).map(|&node| vec![node]));
     groups.sort_by_key(|group| group.iter().copied().min());
     groups
 }
 
-/// The nodes tied to each node, and how far they may be apart, m.
+/// The neighbours of each node, and their largest distance from it, m.
 struct Neighbours {
+    /// Where the neighbours of each node begin in `all`, and an end, (nodes + 1,).
     first: Vec<usize>,
-    ties: Vec<(usize, f64)>,
+    all: Vec<(usize, f64)>,
 }
 
 impl Neighbours {
@@ -104,11 +110,11 @@ impl Neighbours {
         }
         directed.sort_by_key(|&(from, to, _)| (from, to));
         let first = (0..=nodes).map(|node| directed.partition_point(|&(from, ..)| from < node)).collect();
-        Neighbours { first, ties: directed.into_iter().map(|(_, to, length)| (to, length)).collect() }
+        Neighbours { first, all: directed.into_iter().map(|(_, to, length)| (to, length)).collect() }
     }
 
     fn of_node(&self, node: usize) -> impl Iterator<Item = &(usize, f64)> {
-        self.ties[self.first[node]..self.first[node + 1]].iter()
+        self.all[self.first[node]..self.first[node + 1]].iter()
     }
 }
 

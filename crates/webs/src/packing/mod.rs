@@ -31,7 +31,7 @@ pub use given::Given;
 pub use imperfection::Imperfection;
 pub use mouth::Mouth;
 pub use plate::StiffPlate;
-pub use position_based::{Led, Prescribed, Settled};
+pub use position_based::{DrivenNode, Prescribed, Settled};
 pub use scale::Scale;
 pub use sector::Sector;
 
@@ -44,11 +44,11 @@ use crate::CutWeb;
 pub enum Pattern {
     /// The flat web shrunk about its middle.
     Scale(Scale),
-    /// The web drawn in to a bag, its middle hanging below, its tractors on top.
+    /// The web drawn in to a bag. Its middle hangs below, its tractors stand on top.
     Bag(Bag),
     /// The web folded into a container.
     Folded(Folded),
-    /// Where the user says.
+    /// At positions that are given.
     Given(Given),
 }
 
@@ -56,13 +56,13 @@ impl Pattern {
     /// Positions of all nodes of the packed web in the launch frame, m.
     ///
     /// # Errors
-    /// [`PackingError`]: a size that cannot be, or one that would stretch a rope.
+    /// [`PackingError`]: a size that is out of its range, or one that would stretch a rope.
     pub fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
         self.pack_imperfectly(cut_web, None)
     }
 
-    /// The same, disturbed: a web in a bag or a container, whose tractors stay in their places; one that was scaled or
-    /// given with its traction ropes and tractors.
+    /// The same with an imperfection. In a bag or a container it disturbs the web alone, and tractors stay in their places;
+    /// a web that is scaled or given is disturbed with its traction ropes and tractors.
     ///
     /// # Errors
     /// As [`Pattern::pack`].
@@ -116,7 +116,7 @@ pub enum PackingError {
         /// The largest depth that stretches no rope, m.
         limit: f64,
     },
-    /// A traction rope does not reach from its corner out to its tractor, whatever the gap.
+    /// A traction rope is too short to reach from its corner to its tractor, whatever the gap.
     #[error(
         "{tractor} would stand {distance:.4} m from its corner, farther than its traction rope of {length} m reaches; \
          bring the tractors' radius nearer to the packed web's, or make that less deep"
@@ -150,12 +150,12 @@ pub enum PackingError {
     Room {
         /// The container given.
         container: Container,
-        /// The smallest of its proportions that does.
+        /// The smallest container of the same proportions that it fits; none if there is none.
         enough: Option<Container>,
     },
-    /// Nothing is led into the container.
+    /// No node is driven into the container.
     #[error("the web has no outline that could be drawn in")]
-    NothingLed,
+    NothingDriven,
     /// There are more or fewer positions than nodes.
     #[error("{given} positions were given for {nodes} nodes")]
     Count {
@@ -186,7 +186,7 @@ impl PackingError {
             PackingError::TractorOutOfReach { .. } => "tractor_radius",
             PackingError::Gap { .. } => "tractor_gap",
             PackingError::Room { .. } => "container",
-            PackingError::NothingLed => "paths",
+            PackingError::NothingDriven => "paths",
             PackingError::Count { .. } | PackingError::Missing { .. } | PackingError::NotFinite(_) => "positions",
         }
     }

@@ -1,11 +1,11 @@
-//! Tractors and traction ropes above a packed web: the tractors stand in the muzzle's plane, the web hangs a gap below.
+//! Tractors and traction ropes above a packed web. The tractors stand in the muzzle's plane, the web hangs below them.
 
 use glam::DVec3;
 
 use super::PackingError;
 use crate::{CutWeb, Rope, Web};
 
-/// Share of the traction ropes' length that the gap takes where none is stated: far from stretched.
+/// The gap where none is given, as a share of the traction ropes' length: these are then slack.
 const DEFAULT_SHARE: f64 = 0.6;
 
 /// What rounding may add to a size at its limit, relative.
@@ -14,23 +14,24 @@ pub(super) const ROUNDING: f64 = 1e-12;
 /// Where the tractors stand; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Mouth {
-    /// Radius of the circle that the tractors stand on, each in the direction of its corner; the packed web's own
-    /// where none is stated.
+    /// Radius of the circle that the tractors stand on, each in the direction of its corner; none: the packed web's radius.
     pub tractor_radius: Option<f64>,
-    /// How far the packed web lies below the tractors; 0.6 of the traction ropes' length where none is stated, or less
-    /// where they would be stretched. Without traction ropes the tractors are the corners: the gap then only sets the
-    /// web back from the muzzle, by 0 where none is stated.
+    /// How far the packed web lies below the tractors; none: 0.6 of the traction ropes' length, or less where that would
+    /// stretch them. Without traction ropes the tractors are the corners: the gap then sets the web back from the muzzle,
+    /// by 0 where none is given.
     pub tractor_gap: Option<f64>,
 }
 
 impl Mouth {
-    /// Lowers a packed web, whose top lies at z = 0, by the gap, and puts tractors and traction ropes above it; `radius`
-    /// is that of the packed web, m. Nodes of traction ropes lie evenly on the line from corner to tractor.
+    /// Lowers a packed web by the gap and puts tractors and traction ropes above it. Before, its top lies at z = 0; `radius`
+    /// is its radius, m. Nodes of traction ropes lie evenly on the line from corner to tractor.
     pub(super) fn close(&self, cut_web: &CutWeb, packed: &mut [DVec3], radius: f64) -> Result<(), PackingError> {
         let web = &cut_web.web;
         let radius = size("tractor_radius", "tractors' radius", self.tractor_radius.unwrap_or(radius))?;
         let gap = self.gap(web, packed, radius)?;
-        packed.iter_mut().for_each(|node| *node -= DVec3::Z * gap);
+        for node in packed.iter_mut() {
+            *node -= DVec3::Z * gap;
+        }
         for (tractor, ropes) in web.traction.iter().enumerate() {
             packed[web.tractors[tractor]] = place(web, tractor, radius);
             for &rope in ropes {
@@ -49,7 +50,7 @@ impl Mouth {
         let stated = self.tractor_gap.map(|gap| size("tractor_gap", "tractor gap", gap)).transpose()?;
         let mut default = f64::INFINITY;
         for (tractor, ropes) in web.traction.iter().enumerate() {
-            // the corner as it lies with no gap, and how far down the rope still reaches from its tractor
+            // the corner without a gap, and the largest gap that the rope bridges
             let corner = packed[web.corners[tractor]];
             let place = place(web, tractor, radius);
             let aside = corner.truncate().distance(place.truncate());

@@ -1,17 +1,18 @@
-//! Stiff canopies in a packed web: patterns move every point for itself, as cloth lets itself be moved; a plate keeps
-//! its shape.
+//! Stiff canopies in a packed web. A pattern moves every point for itself, and cloth follows; a plate keeps its shape.
 //!
-//! In a scaled web and in a bag a plate is put where the pattern puts its middle, and stays parallel to the flat web (in
-//! folds: `folded_plates.rs`); ropes tied to it run straight from tie to tie. Between two plates of side s whose middles are L apart in the flat web, a rope is L - sqrt(3) s long.
-//! Where the pattern brings the middles to q L along the same line, its ties are |q L - sqrt(3) s| apart: no q from 0 to 1
-//! stretches it as long as L > 2 sqrt(3) s. In a deep bag the middles stand one above the other and the ties can be
-//! farther apart; the audit tells. Plates lie across one another as they come, for nothing here knows of contact.
+//! In a scaled web and in a bag a plate lies where the pattern puts its middle, parallel to the flat web. Ropes run
+//! straight from plate to plate. (For folds see `position_based/folded_plates.rs`.)
+//!
+//! A rope between two plates of side s whose middles are L apart in the flat web is L - sqrt(3) s long. Where the pattern
+//! brings the middles to q L along the same line, the rope's ends are |q L - sqrt(3) s| apart: no q from 0 to 1 stretches
+//! it if L > 2 sqrt(3) s. In a deep bag the middles stand one above the other, and the ends can be farther apart; the
+//! audit reports that. Plates may lie across one another: there is no contact here.
 
 use glam::{DMat3, DVec3};
 
 use crate::CutWeb;
 
-/// A share of a plate's size by which given places may be off: what is written in a file is rounded.
+/// How far given corners may be off, as a share of the plate's size: numbers in a file are rounded.
 const TOLERANCE: f64 = 1e-6;
 
 /// A canopy that keeps its shape.
@@ -24,13 +25,15 @@ pub struct StiffPlate {
 }
 
 impl StiffPlate {
-    /// Puts the plates where a pattern has put their middles, parallel to the flat web, and draws the ropes that are
-    /// tied to them straight.
+    /// Lays the plates where a pattern has put their middles, parallel to the flat web, and straightens the ropes that are
+    /// tied to them.
     pub fn lay(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) {
         let mut is_tied = vec![false; cut_web.web.knots.len()];
         for plate in plates {
             plate.place(cut_web, DMat3::IDENTITY, packed);
-            cut_web.web.canopies[plate.canopy].rim.iter().for_each(|&knot| is_tied[knot] = true);
+            for &knot in &cut_web.web.canopies[plate.canopy].rim {
+                is_tied[knot] = true;
+            }
         }
         for (rope, cut) in cut_web.web.ropes.iter().zip(&cut_web.ropes) {
             if is_tied[rope.a] || is_tied[rope.b] {
@@ -42,10 +45,10 @@ impl StiffPlate {
         }
     }
 
-    /// Puts the plate where its own middle and corners have been put, and says how it is turned against the flat web.
+    /// Lays the plate where its middle and its corners have been put. Returns its rotation against the flat web.
     ///
     /// # Errors
-    /// Where it would have to be bent for that: the largest distance by which a corner is off, m.
+    /// Only a bent plate would fit: the largest distance by which a corner is off, m.
     pub fn fit(&self, cut_web: &CutWeb, packed: &mut [DVec3]) -> Result<DMat3, f64> {
         let canopy = &cut_web.web.canopies[self.canopy];
         let rim = canopy.rim.map(|knot| packed[knot]);
@@ -62,6 +65,7 @@ impl StiffPlate {
         Ok(turn)
     }
 
+    /// Lays the plate about its hub with this rotation against the flat web.
     pub(super) fn place(&self, cut_web: &CutWeb, turn: DMat3, packed: &mut [DVec3]) {
         let hub = cut_web.web.canopies[self.canopy].hub;
         let middle = packed[hub];

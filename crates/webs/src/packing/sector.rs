@@ -1,4 +1,4 @@
-//! A sector of a web: what lies in a range of directions from its middle, drawn flat.
+//! A sector of a web: its nodes in a range of directions from the middle of the flat web.
 
 use std::f64::consts::TAU;
 
@@ -18,21 +18,21 @@ pub struct Sector {
     pub width: f64,
 }
 
-/// How far beside an edge a node still lies on it, as a share of the web's radius.
+/// Distance from an edge within which a node lies on it, as a share of the web's radius.
 const ROUNDING: f64 = 1e-9;
 
 /// The stream of ChaCha8 that directions are drawn from; the scatter of nodes has the first.
 const STREAM: u64 = 1;
 
 impl Sector {
-    /// One of this width, rad, whose direction is drawn from a seed: every direction is as likely.
+    /// A sector of this width, rad, whose direction is drawn from a seed; every direction is equally likely.
     pub fn by_chance(width: f64, seed: u64) -> Sector {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
         Sector { direction: TAU * uniform(&mut random), width }
     }
 
-    /// Which nodes lie in it, (nodes,); the web's middle and what lies on an edge do.
+    /// Whether each node lies in it, (nodes,). The web's middle does, and so do nodes on an edge.
     pub fn of(&self, cut_web: &CutWeb) -> Vec<bool> {
         let (sin, cos) = libm::sincos(self.direction);
         let hair = ROUNDING * cut_web.web.radius();

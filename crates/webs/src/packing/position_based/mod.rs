@@ -52,4 +52,4 @@ mod rope_pieces;
 mod solver;
 mod walls;
 
-pub use prescribed::{Led, Prescribed, Settled};
+pub use prescribed::{DrivenNode, Prescribed, Settled};

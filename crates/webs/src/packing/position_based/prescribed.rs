@@ -24,7 +24,7 @@ pub struct Prescribed {
     /// How far its floor lies below the flat web; none: it has no floor.
     pub depth: Option<f64>,
     /// The driven nodes and their paths; none: the outline is drawn in, to a ring of the container's radius.
-    pub paths: Vec<Led>,
+    pub paths: Vec<DrivenNode>,
     /// Time in which the outline is drawn in.
     pub time: f64,
     /// Acceleration into the container, m/s^2.
@@ -45,7 +45,7 @@ pub struct Prescribed {
 
 /// A node and the path that it is driven along.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Led {
+pub struct DrivenNode {
     /// Which node.
     pub node: usize,
     /// Times, s, ascending, and displacements from its place in the flat web, m, in the launch frame. The node moves
@@ -62,7 +62,7 @@ pub struct Settled {
     pub share: f64,
 }
 
-impl Led {
+impl DrivenNode {
     /// The displacement at a time, m.
     pub(super) fn at(&self, time: f64) -> DVec3 {
         let after = self.path.partition_point(|&(t, _)| t <= time);
@@ -125,10 +125,10 @@ impl Prescribed {
     }
 
     /// Paths of the outline's knots straight to the ring. Their speed rises and falls as a sine.
-    fn drawn_in(&self, cut_web: &CutWeb) -> Result<Vec<Led>, PackingError> {
+    fn drawn_in(&self, cut_web: &CutWeb) -> Result<Vec<DrivenNode>, PackingError> {
         let web = &cut_web.web;
         if web.outline.is_empty() {
-            return Err(PackingError::NothingLed);
+            return Err(PackingError::NothingDriven);
         }
         let path_of = |&knot: &usize| {
             let from = (web.knots[knot].position - web.middle).with_z(0.0);
@@ -137,7 +137,7 @@ impl Prescribed {
                 let share = f64::from(k) / f64::from(PARTS);
                 (share * self.time, 0.5 * (1.0 - libm::cos(PI * share)) * by)
             };
-            Led { node: knot, path: (0..=PARTS).map(point).collect() }
+            DrivenNode { node: knot, path: (0..=PARTS).map(point).collect() }
         };
         Ok(web.outline.iter().flatten().map(path_of).collect())
     }
@@ -222,7 +222,8 @@ mod tests {
         let rope = GraphRope { a: "a".into(), b: "b".into(), ..GraphRope::default() };
         let listed = Graph { nodes: vec![node("a", -1.0), node("b", 1.0)], ropes: vec![rope], ..Graph::default() };
         let net = cut(&graph(&listed).unwrap(), &Cutting::SegmentLength(0.04)).unwrap();
-        let to = |node: usize, x: f64| Led { node, path: vec![(0.0, DVec3::ZERO), (1.0, DVec3::new(x, 0.0, 0.0))] };
+        let to =
+            |node: usize, x: f64| DrivenNode { node, path: vec![(0.0, DVec3::ZERO), (1.0, DVec3::new(x, 0.0, 0.0))] };
         let mut packing = prescribed(&net, 1.0, None);
         packing.paths = vec![to(0, 0.5), to(1, -0.5)];
         // nodes inside bear a segment, the ends half of one
@@ -249,7 +250,7 @@ mod tests {
         let inside = net.nodes_of(3)[1..25].iter().copied().find(|node| !ends.contains(node));
         let led = inside.expect("pieces have nodes inside");
         let by = DVec3::new(0.0, 0.0, 0.3);
-        packing.paths = vec![Led { node: led, path: vec![(0.0, DVec3::ZERO), (0.5, by)] }];
+        packing.paths = vec![DrivenNode { node: led, path: vec![(0.0, DVec3::ZERO), (0.5, by)] }];
         let mut solver = Solver::new(&packing, &net, packing.paths.clone());
         solver.run();
         assert!(solver.position[led].distance(net.nodes[led] - net.web.middle + by) < 1e-12);
@@ -268,6 +269,6 @@ mod tests {
         assert!(matches!(prescribed(&net, 0.3, Some(-1.0)).pack(&net, None), Err(PackingError::Size { .. })));
         let mut bare = net.clone();
         bare.web.outline.clear();
-        assert_eq!(prescribed(&bare, 0.3, None).pack(&bare, None).unwrap_err(), PackingError::NothingLed);
+        assert_eq!(prescribed(&bare, 0.3, None).pack(&bare, None).unwrap_err(), PackingError::NothingDriven);
     }
 }

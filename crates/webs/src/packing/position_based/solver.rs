@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::prescribed::{Led, Prescribed, Settled};
+use super::prescribed::{DrivenNode, Prescribed, Settled};
 use super::projection::Projection;
 use super::rope_pieces::RopePieces;
 use super::walls::Tube;
@@ -19,7 +19,7 @@ const SWEEPS: usize = 10;
 pub(super) struct Solver<'a> {
     packing: &'a Prescribed,
     cut_web: &'a CutWeb,
-    paths: Vec<Led>,
+    paths: Vec<DrivenNode>,
     /// When the last path ends, s.
     end: f64,
     tube: Tube,
@@ -40,8 +40,8 @@ pub(super) struct Solver<'a> {
 
 impl<'a> Solver<'a> {
     /// The flat web at rest.
-    pub fn new(packing: &'a Prescribed, cut_web: &'a CutWeb, paths: Vec<Led>) -> Self {
-        let pieces = RopePieces::of(cut_web, paths.iter().map(|led| led.node));
+    pub fn new(packing: &'a Prescribed, cut_web: &'a CutWeb, paths: Vec<DrivenNode>) -> Self {
+        let pieces = RopePieces::of(cut_web, paths.iter().map(|driven| driven.node));
         let is_web = cut_web.is_web();
         let limits = pieces.distance_limits().chain(distance_limits::of_canopies(cut_web));
         let limits: Vec<DistanceLimit> = limits.filter(|limit| limit.ends.iter().all(|&end| is_web[end])).collect();
@@ -51,10 +51,10 @@ impl<'a> Solver<'a> {
         for &end in limits.iter().flat_map(|limit| &limit.ends) {
             inverse_mass[end] = 1.0 / mass[end];
         }
-        for led in &paths {
-            inverse_mass[led.node] = 0.0;
+        for driven in &paths {
+            inverse_mass[driven.node] = 0.0;
         }
-        let end = paths.iter().map(Led::end).fold(0.0, f64::max);
+        let end = paths.iter().map(DrivenNode::end).fold(0.0, f64::max);
         let tube = Tube {
             first_radius: cut_web.web.radius(),
             radius: packing.radius,
@@ -111,9 +111,9 @@ impl<'a> Solver<'a> {
             let way = keeps * (self.velocity[node] - gravity * STEP * DVec3::Z) * STEP;
             self.position[node] += way;
         }
-        for led in &self.paths {
-            let flat = (self.cut_web.nodes[led.node] - self.cut_web.web.middle).with_z(0.0);
-            self.position[led.node] = flat + led.at(now);
+        for driven in &self.paths {
+            let flat = (self.cut_web.nodes[driven.node] - self.cut_web.web.middle).with_z(0.0);
+            self.position[driven.node] = flat + driven.at(now);
         }
         // project
         let wall = self.tube.radius_at(now);
