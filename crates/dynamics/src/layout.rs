@@ -9,7 +9,7 @@
 //! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A
 //! run that does not fit is continued in the next block, and the node at the cut becomes a knot.
 
-use crate::system::Segment;
+use crate::forces::segment::Segment;
 
 /// Largest number of slots in a block: what a core's first-level cache holds of one step's data.
 pub const BLOCK_SLOTS: usize = 512;

@@ -6,7 +6,7 @@
 //! * A [`State`](state::State) is all that does: positions and velocities.
 //! * [`forces`] holds the physics, one effect a file.
 //! * [`time`] holds the clock: [`time::readable`] is the step as one reads it, [`time::step`] the same bits, faster;
-//!   [`time::step_size`] says how large a step may be. [`layout`] says how a net lies in memory for it.
+//!   [`step_size`] says how large a step may be. [`layout`] says how a net lies in memory for it.
 //! * [`simulate`](simulate::simulate) runs a system from a state and shows every step to an
 //!   [`Observer`](simulate::Observer).
 //! * A [`Snapshot`](snapshot::Snapshot) is where a run stands; [`resume`](simulate::resume) goes on from one.
@@ -21,7 +21,7 @@
 //! use netcast_dynamics::simulate::{simulate, Frame, Live, Observer, Schedule};
 //! use netcast_dynamics::state::State;
 //! use netcast_dynamics::system::{Environment, Segment, SystemParts};
-//! use netcast_dynamics::time::step_size::step_limit;
+//! use netcast_dynamics::step_size::step_limit;
 //!
 //! let (stiffness, damping, breaking) = (1e5, 0.0, Breaking::NEVER);
 //! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness, damping, class: 0, breaking };
@@ -53,15 +53,27 @@
 
 pub mod air;
 pub mod body;
+pub mod channel;
+pub mod custom;
 pub mod drive;
+pub mod effects;
 pub mod energy;
 pub mod forces;
+mod frame;
+mod lanes;
 pub mod launcher;
 pub mod layout;
 pub mod limits;
+pub mod moving;
+mod observe;
+pub mod parts;
+pub mod rope_state;
+mod schedule;
 pub mod simulate;
 pub mod snapshot;
 pub mod state;
 pub mod statics;
+pub mod step_size;
 pub mod system;
+pub mod team;
 pub mod time;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::energy::Balance;
-use crate::simulate::Frame;
+use crate::frame::Frame;
 use crate::system::System;
 
 /// What a run is held to.

@@ -1,134 +1,21 @@
 //! A run in time: steps, records, and the checks that stop a run that has gone wrong.
 
-use glam::DVec3;
-
-use crate::body::Rotation;
-use crate::energy::{Balance, Ledger, Losses};
+use crate::channel::Channel;
+use crate::effects::Launching;
+use crate::energy::{Balance, Ledger, Losses, mass_damping_power};
 use crate::forces::breaking::Break;
+pub use crate::frame::{Frame, Live};
 use crate::limits::{Excess, Limits};
+pub use crate::observe::Observer;
+pub use crate::schedule::Schedule;
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
-use crate::time::launching::Launching;
 use crate::time::step::{Failure, StepSums, Stepper};
 
 /// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
 /// stays below 1 however far a run diverges: here, a hundred times what there was.
 const DIVERGED: f64 = 0.99;
-
-/// When steps and records happen.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Schedule {
-    /// Step, s.
-    pub dt: f64,
-    /// Number of steps.
-    pub count: u64,
-    /// Steps from one record to the next.
-    pub steps_per_record: u64,
-    /// Time from one record to the next, s.
-    pub record_every: f64,
-    /// Time of the last step, s.
-    pub end: f64,
-}
-
-impl Schedule {
-    /// A step not above `largest_dt` that divides `record_every`, and `duration` too if one that is little smaller does;
-    /// else the run ends at the whole step nearest to `duration`.
-    pub fn new(duration: f64, record_every: f64, largest_dt: f64) -> Schedule {
-        let record_every = record_every.min(duration);
-        let records = duration / record_every;
-        let fewest = (record_every / largest_dt).ceil().max(1.0);
-        // steps a record, such that the duration is a whole number of them
-        let ends_on_time = |steps: &f64| ((records * steps).round() / (records * steps) - 1.0).abs() < 1e-12;
-        let more = (0.02 * fewest + 100.0).min(10_000.0);
-        let steps_per_record = (0..more as u64).map(|i| fewest + i as f64).find(ends_on_time);
-        let steps = steps_per_record.unwrap_or(fewest);
-        let dt = record_every / steps;
-        let count = (records * steps).round().max(1.0);
-        let end = if steps_per_record.is_some() { duration } else { count * dt };
-        Schedule { dt, count: count as u64, steps_per_record: steps as u64, record_every, end }
-    }
-
-    /// No step: the start is recorded, as at the start of steps of `dt`.
-    pub fn at_start(record_every: f64, dt: f64) -> Schedule {
-        Schedule { dt, count: 0, steps_per_record: 1, record_every, end: 0.0 }
-    }
-
-    /// Time of a step, s. Records fall on whole multiples of `record_every`.
-    pub fn time(&self, step: u64) -> f64 {
-        if step == self.count {
-            return self.end;
-        }
-        let (records, steps) = (step / self.steps_per_record, step % self.steps_per_record);
-        // a division rounds once: 49 / 100 is 0.49, 49 * 0.01 is not
-        let rate = (1.0 / self.record_every).round();
-        let whole =
-            if rate * self.record_every == 1.0 { records as f64 / rate } else { records as f64 * self.record_every };
-        whole + steps as f64 * self.dt
-    }
-
-    /// Whether a step is recorded.
-    pub fn records(&self, step: u64) -> bool {
-        step.is_multiple_of(self.steps_per_record) || step == self.count
-    }
-}
-
-/// The net after a step, for measures that must not miss one. Nothing is computed until asked for.
-pub struct Live<'s, 'a> {
-    /// Positions are those of this time, s.
-    pub position_time: f64,
-    /// Velocities are those of this time, half a step earlier, s.
-    pub velocity_time: f64,
-    /// Tensions are those of this time, a step earlier, s.
-    pub tension_time: f64,
-    /// Step, s.
-    pub dt: f64,
-    /// The net.
-    pub net: &'s Stepper<'a>,
-}
-
-/// The whole net at one time.
-#[derive(Debug)]
-pub struct Frame<'s> {
-    /// Time, s.
-    pub time: f64,
-    /// Step number.
-    pub step: u64,
-    /// Positions, m, (nodes,).
-    pub position: &'s [DVec3],
-    /// Velocities, m/s, (nodes,).
-    pub velocity: &'s [DVec3],
-    /// Rotations of rigid bodies, (bodies,).
-    pub rotation: &'s [Rotation],
-    /// Tensions, N, (segments,); NaN where a segment is gone.
-    pub tension: &'s [f64],
-    /// The energy balance.
-    pub ledger: Ledger,
-    /// What the balance misses since the start, J.
-    pub residual: f64,
-}
-
-/// Who watches a run; it may be called from another thread than the one that started the run.
-pub trait Observer: Send {
-    /// After every step.
-    fn step(&mut self, live: &Live);
-    /// At every record time, the start and the end among them.
-    fn record(&mut self, frame: &Frame);
-    /// What the run is held to, asked at its start.
-    fn limits(&self) -> Limits {
-        Limits::NONE
-    }
-    /// Asked at every record time but the last: whether to stop here.
-    fn interrupted(&self) -> bool {
-        false
-    }
-    /// Asked at every record time but the last: whether [`Observer::snapshot`] should be called now.
-    fn wants_snapshot(&mut self) -> bool {
-        false
-    }
-    /// Where the run stands, after the record: when it was wanted, and before an interrupted run stops.
-    fn snapshot(&mut self, _: &Snapshot) {}
-}
 
 /// Why a run stopped before its time. What had been recorded stays valid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -215,7 +102,8 @@ pub fn simulate(
     threads: usize,
     observer: &mut dyn Observer,
 ) -> Outcome {
-    let net = Stepper::new(system, state, schedule.dt, threads);
+    let mut net = Stepper::new(system, state, schedule.dt, threads);
+    net.watch(&observer.watches());
     let record = Record::new(system);
     let (losses, breaks) = (Losses::default(), Vec::new());
     let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses, breaks, record };
@@ -240,6 +128,7 @@ pub fn resume(
     snapshot.check(system, schedule).unwrap_or_else(|error| panic!("{error}"));
     let Snapshot { motion, losses, balance, ledger, exceeded, breaks } = snapshot;
     let mut net = Stepper::resume(system, motion, schedule.dt, threads);
+    net.watch(&observer.watches());
     // the forces at the record; what ropes lost on the way there is in the losses, and what broke among the breaks
     net.forces();
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
@@ -269,7 +158,7 @@ impl Run<'_> {
             while !self.schedule.records(self.step) {
                 let sums = self.net.step();
                 self.pulled(&sums);
-                if !sums.rope_work.is_finite() {
+                if !sums.work[Channel::RopeDamping].is_finite() {
                     return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
                 }
                 self.stepped(sums, observer);
@@ -285,8 +174,8 @@ impl Run<'_> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
         self.pulled(&sums);
-        let measured =
-            sums.rope_work.is_finite() && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
+        let measured = sums.work[Channel::RopeDamping].is_finite()
+            && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
         if !measured {
             return Some(self.outcome(Some(not_finite(&self.net, time, step))));
         }
@@ -304,7 +193,7 @@ impl Run<'_> {
 
     /// Takes the forces of a step into account.
     fn pulled(&mut self, sums: &StepSums) {
-        self.losses.add_work(sums);
+        self.losses.add_work(&sums.work);
         if sums.failing > 0 {
             let (step, time) = (self.step, self.time());
             let mut failing: Vec<_> = self.net.failing().collect();
@@ -384,8 +273,8 @@ impl Record {
         for (segment, tension) in self.tension.iter_mut().enumerate() {
             *tension = if net.is_gone(segment) { f64::NAN } else { net.tension(segment) };
         }
-        let ropes = net.ropes();
-        let ledger = losses.ledger(net.system(), &self.state, &ropes, net.dt());
+        let stored = net.stored(&self.state);
+        let ledger = losses.ledger(stored, mass_damping_power(net.system(), &self.state), net.dt());
         if !ledger.sum().is_finite() {
             return false;
         }

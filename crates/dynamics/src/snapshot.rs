@@ -5,37 +5,15 @@
 //! again, to the same bits. The work that ropes lose is summed from one length to the next; it is in the losses already
 //! when the snapshot is taken, and over an unchanged length there is none to add. See docs/restart.md.
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::energy::{Balance, Ledger, Losses};
 use crate::forces::breaking::Break;
-use crate::forces::law::RopeState;
 use crate::limits::Excess;
-use crate::simulate::Schedule;
+use crate::rope_state::RopeState;
+use crate::schedule::Schedule;
 use crate::system::System;
-use crate::time::attached::Turning;
-use crate::time::launching::Launching;
-
-/// What moves, by node: a [`Stepper`](crate::time::step::Stepper) started from it computes the same bits as the one it
-/// was taken from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Motion {
-    /// Positions, m, (nodes,).
-    pub position: Vec<DVec3>,
-    /// Velocities half a step before the positions, m/s, (nodes,).
-    pub half_step_velocity: Vec<DVec3>,
-    /// Velocities extrapolated to the positions, m/s, (nodes,).
-    pub extrapolated: Vec<DVec3>,
-    /// How rigid bodies turn, (bodies,).
-    pub turning: Vec<Turning>,
-    /// Who is held by a launcher, in a tube, free.
-    pub launching: Launching,
-    /// Steps taken.
-    pub step: u64,
-    /// What segments remember, and which are broken; those that break in this step are still whole.
-    pub ropes: RopeState,
-}
+use crate::time::motion::Motion;
 
 /// A run at a record time. It goes on by [`resume`](crate::simulate::resume).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -80,7 +58,7 @@ impl Snapshot {
     /// # Errors
     /// [`SnapshotError`] where it is a snapshot of something else.
     pub fn check(&self, system: &System, schedule: &Schedule) -> Result<(), SnapshotError> {
-        let Motion { position, half_step_velocity, extrapolated, turning, launching, step, ropes } = &self.motion;
+        let Motion { position, half_step_velocity, extrapolated, turning, effects, step, ropes } = &self.motion;
         let RopeState { memory, broken } = ropes;
         let (nodes, segments) = (system.mass().len(), system.segments().len());
         let arrays = [
@@ -90,14 +68,15 @@ impl Snapshot {
             ("rotations of bodies", turning.len(), system.bodies().len()),
             ("segments", broken.len(), segments),
             ("segments that remember", memory.len(), if system.remembers() { segments } else { 0 }),
-            ("launched nodes", launching.nodes.len(), system.launchers().len()),
         ];
-        if let Some((what, found, expected)) = arrays.into_iter().find(|(_, found, expected)| found != expected) {
+        let array = arrays.into_iter().find(|(_, found, expected)| found != expected);
+        if let Some((what, found, expected)) = array.or_else(|| effects.misfit(system.parts())) {
             return Err(SnapshotError::Shape { what, found, expected });
         }
-        match *step < schedule.count && schedule.records(*step) {
-            true => Ok(()),
-            false => Err(SnapshotError::Step { step: *step }),
+        if *step < schedule.count && schedule.records(*step) {
+            Ok(())
+        } else {
+            Err(SnapshotError::Step { step: *step })
         }
     }
 }

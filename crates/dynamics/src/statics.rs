@@ -15,8 +15,8 @@
 //! its longest arm.
 //!
 //! The step is that of [`crate::time`], hence every force that it knows, and the same bits on any number of threads.
-//! The ground bears and does not rub; an orbit is left out. Wind blows as it does at the start; the drag of the
-//! fictitious motion goes with it.
+//! Every effect says what of it a relaxation sees: the ground bears and does not rub; an orbit is left out; wind blows as
+//! it does at the start, and the drag of the fictitious motion goes with it.
 //! Ropes have the tensions that last ([`Law::lasting`]), and do not break.
 //!
 //! Sources: Cundall, Explicit finite-difference methods in geomechanics, 1976 (kinetic damping); Barnes, Int. J. Space
@@ -24,18 +24,17 @@
 
 use glam::DVec3;
 
-use crate::air::wind::Series;
-use crate::air::{Air, Attitude};
-use crate::body::{Body, Rotation};
+use crate::body::Body;
+use crate::effects::{self, Resting};
 use crate::forces::breaking::Breaking;
-use crate::forces::element::Element;
-use crate::forces::ground::{Footing, Ground, Hull, Spring};
 use crate::forces::law::Law;
 use crate::forces::load::Load;
+use crate::forces::segment::Segment;
+use crate::parts::{Environment, SystemParts};
 use crate::state::State;
-use crate::system::{Environment, Segment, System, SystemParts};
+use crate::step_size::limiting_mass;
+use crate::system::System;
 use crate::time::step::Stepper;
-use crate::time::step_size::limiting_mass;
 
 /// When an equilibrium has been found, and when it is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,8 +146,8 @@ pub fn relax(
     threads: usize,
     progress: &mut (dyn FnMut(Relaxing) -> bool + Send),
 ) -> Relaxed {
-    let resting = Resting::of(system, state);
-    let slow = fictitious(system, &resting, &state.rotation);
+    let resting = resting(system, state);
+    let slow = fictitious(system, &resting);
     let (mut state, mut turned) = (at_rest(system, state), Vec::new());
     // of the rotations only those that change
     std::mem::swap(&mut state.rotation, &mut turned);
@@ -195,61 +194,56 @@ pub fn relax(
     })
 }
 
-/// What stays as it is: held, or thrown only later.
-struct Resting {
-    /// Whether each node does, (nodes,).
-    held: Vec<bool>,
-    /// The bodies that do not: a body that is thrown keeps its attitude until then.
-    turning: Vec<usize>,
-}
-
-impl Resting {
-    fn of(system: &System, state: &State) -> Resting {
-        let mut thrown: Vec<bool> = state.velocity.iter().map(|velocity| *velocity != DVec3::ZERO).collect();
-        system.launchers().iter().for_each(|launcher| thrown[launcher.node] = true);
-        let mut held: Vec<bool> = system.held().iter().zip(&thrown).map(|(held, thrown)| *held || *thrown).collect();
-        let bodies = system.bodies();
-        for tie in bodies.iter().filter(|body| thrown[body.centre]).flat_map(|body| &body.ties) {
-            held[tie.node] = true;
-        }
-        Resting { held, turning: (0..bodies.len()).filter(|&body| !thrown[bodies[body].centre]).collect() }
+/// What stays as it is in a relaxation of a system from a state.
+fn resting(system: &System, state: &State) -> Resting {
+    let mut thrown: Vec<bool> = state.velocity.iter().map(|velocity| *velocity != DVec3::ZERO).collect();
+    system.launchers().iter().for_each(|launcher| thrown[launcher.node] = true);
+    let mut held: Vec<bool> = system.held().iter().zip(&thrown).map(|(held, thrown)| *held || *thrown).collect();
+    let bodies = system.bodies();
+    for tie in bodies.iter().filter(|body| thrown[body.centre]).flat_map(|body| &body.ties) {
+        held[tie.node] = true;
+    }
+    Resting {
+        held,
+        turning: (0..bodies.len()).filter(|&body| !thrown[bodies[body].centre]).collect(),
+        turned: state.rotation.iter().map(|rotation| rotation.orientation).collect(),
+        damping_time: FRICTION,
     }
 }
 
-/// Weights of all that is free to move, and the loads that act on it before a run in time begins.
-fn all_loads(system: &System, resting: &Resting) -> Vec<Load> {
+/// Weights of all that is free to move, as loads.
+fn weights(system: &System, resting: &Resting) -> impl Iterator<Item = Load> {
     let gravity = system.environment().gravity;
-    let weights = system.mass().iter().enumerate().map(|(node, &mass)| Load { node, force: mass * gravity, ramp: 0.0 });
-    let all = system.loads().iter().filter(|load| load.is_steady()).copied().chain(weights);
-    all.filter(|load| !resting.held[load.node] && load.force != DVec3::ZERO).collect()
+    let weights = system.mass().iter().enumerate();
+    let weights = weights.map(move |(node, &mass)| Load { node, force: mass * gravity, ramp: 0.0 });
+    weights.filter(|load| !resting.held[load.node])
+}
+
+/// What effects of a system a relaxation sees, and its weight as loads. Loads that are zero are left out.
+fn effects_at_rest(system: &System, resting: &Resting) -> SystemParts {
+    let mut rest = SystemParts::default();
+    effects::at_rest(system.parts(), resting, &mut rest);
+    rest.loads.extend(weights(system, resting));
+    rest.loads.retain(|load| load.force != DVec3::ZERO);
+    rest
 }
 
 /// The same net with fictitious masses, and nothing that moves by itself.
-fn fictitious(system: &System, resting: &Resting, turned: &[Rotation]) -> System {
+fn fictitious(system: &System, resting: &Resting) -> System {
     let slow_to_turn = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
     let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_to_turn(&system.bodies()[body])).collect();
     let mut unit_mass = vec![1.0; system.mass().len()];
     bodies.iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
+    let rest = effects_at_rest(system, resting);
     let mut parts = SystemParts {
         mass: unit_mass,
         held: resting.held.clone(),
         tractor: system.tractor().to_vec(),
         segments: system.segments().iter().map(|s| slow_to_move(system, s)).collect(),
         laws: system.laws().iter().map(Law::lasting).collect(),
-        bends: system.bends().to_vec(),
-        membranes: system.membranes().to_vec(),
-        hinges: system.hinges().to_vec(),
-        loads: all_loads(system, resting),
         bodies,
-        drives: Vec::new(),
-        launchers: Vec::new(),
-        environment: Environment {
-            gravity: DVec3::ZERO,
-            mass_damping: LEAST_DAMPING,
-            air: system.environment().air.as_ref().map(|air| steady(air, &resting.turning, turned)),
-            ground: system.environment().ground.as_ref().map(|ground| smooth(ground, resting)),
-            orbit: None,
-        },
+        environment: Environment { mass_damping: LEAST_DAMPING, ..rest.environment.clone() },
+        ..rest
     };
     let limiting = limiting_mass(&parts.clone().build().expect("what is left of a system is one"), STEP / STEP_SHARE);
     for (mass, limiting) in parts.mass.iter_mut().zip(limiting).filter(|(mass, limiting)| **mass * limiting > 0.0) {
@@ -259,36 +253,6 @@ fn fictitious(system: &System, resting: &Resting, turned: &[Rotation]) -> System
         body.inertia *= parts.mass[body.centre];
     }
     parts.build().expect("masses and inertias are positive")
-}
-
-/// The air as it is at the start, for a net of which only the bodies `turning` turn.
-fn steady(air: &Air, turning: &[usize], turned: &[Rotation]) -> Air {
-    let mut air = air.clone();
-    air.added_mass = 0.0;
-    air.wind.fluctuation = Series::constant(air.wind.fluctuation.at(0.0));
-    for body in &mut air.bodies {
-        if let Attitude::Body(index) = body.attitude {
-            let kept = turning.iter().position(|&body| body == index);
-            body.attitude = kept.map_or(Attitude::Fixed(turned[index].orientation), Attitude::Body);
-        }
-    }
-    air
-}
-
-/// The ground for what moves in a relaxation, where friction would keep what only friction keeps.
-fn smooth(ground: &Ground, resting: &Resting) -> Ground {
-    let slow = |spring: Spring| Spring { damping: FRICTION * spring.stiffness, ..spring };
-    let nodes = ground.nodes.iter().filter(|at| !resting.held[at.node]);
-    let hulls = ground.hulls.iter().filter_map(|hull| {
-        let body = resting.turning.iter().position(|&body| body == hull.body)?;
-        Some(Hull { body, spring: slow(hull.spring), ..*hull })
-    });
-    Ground {
-        friction: 0.0,
-        nodes: nodes.map(|at| Footing { spring: slow(at.spring), ..*at }).collect(),
-        hulls: hulls.collect(),
-        height: ground.height,
-    }
 }
 
 /// A segment with friction that never breaks.
@@ -311,30 +275,22 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     for s in system.segments() {
         parts.join(s.ends[0], s.ends[1]);
     }
-    let bends = system.bends().iter().map(Element::nodes);
-    let triangles = bends.chain(system.membranes().iter().map(Element::nodes));
-    triangles.for_each(|[a, b, c]| [b, c].iter().for_each(|&other| parts.join(a, other)));
-    for body in system.bodies() {
-        body.ties.iter().for_each(|tie| parts.join(tie.node, body.centre));
-    }
+    effects::joins(system.parts(), &mut |one, other| parts.join(one, other));
     let mut held = vec![false; nodes];
-    let resting = Resting::of(system, state);
+    let resting = resting(system, state);
     for node in (0..nodes).filter(|&node| resting.held[node]) {
         held[parts.of(node)] = true;
     }
-    let loads = all_loads(system, &resting);
+    let loads = effects_at_rest(system, &resting).loads;
     let mut sums = vec![DVec3::ZERO; nodes];
     for load in &loads {
         sums[parts.of(load.node)] += load.force;
     }
-    // what the ground can bear, it bears
-    if let Some(ground) = &system.environment().ground {
-        let hulls = ground.hulls.iter().map(|hull| system.bodies()[hull.body].centre);
-        for node in ground.nodes.iter().map(|at| at.node).chain(hulls) {
-            let sum = &mut sums[parts.of(node)];
-            sum.z = sum.z.max(0.0);
-        }
-    }
+    // what something below can bear, it bears
+    effects::bears(system.parts(), &mut |node| {
+        let sum = &mut sums[parts.of(node)];
+        sum.z = sum.z.max(0.0);
+    });
     // loads in balance among themselves sum to zero within rounding
     let rounding = 1e-12 * loads.iter().map(|load| load.force.length()).sum::<f64>();
     let loaded = sums.iter().map(|sum| sum.length()).enumerate();
@@ -406,6 +362,7 @@ fn residual(net: &Stepper) -> Residual {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::Rotation;
     use crate::body::Tie;
     use crate::drive::Drive;
     use crate::launcher::{Launcher, Means};

@@ -6,13 +6,14 @@ use glam::{DQuat, DVec3};
 use netcast_dynamics::air::atmosphere::Medium;
 use netcast_dynamics::air::wind::{Series, Wind};
 use netcast_dynamics::air::{Air, Attitude, BodyDrag};
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_dynamics::forces::sheet_drag::SheetDrag;
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
 use netcast_dynamics::statics::{Accuracy, relax};
+use netcast_dynamics::step_size::{Stiff, step_limit};
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::{Stiff, step_limit};
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
@@ -58,7 +59,7 @@ fn a_level_rope_falls_as_a_body_in_quadratic_drag() {
         assert!(error < 1e-5, "node {node}: {error}");
     }
     assert!(outcome.balance.closure() < 1e-6, "{}", outcome.balance.closure());
-    assert!(outcome.ledger.air > 0.5 * -outcome.ledger.gravity);
+    assert!(outcome.ledger[Channel::Air] > 0.5 * -outcome.ledger[Channel::Gravity]);
 }
 
 #[test]
@@ -111,7 +112,10 @@ fn wind_carries_a_loose_rope_along_at_last() {
     let left = 8.0 / (1.0 + c * 8.0 * 60.0);
     assert!((velocity[2].y - (8.0 - left)).abs() < 1e-3, "{}", velocity[2].y);
     // the wind has done it all
-    assert!((outcome.ledger.air + outcome.ledger.kinetic).abs() < 1e-6 * outcome.ledger.kinetic);
+    assert!(
+        (outcome.ledger[Channel::Air] + outcome.ledger[Channel::Kinetic]).abs()
+            < 1e-6 * outcome.ledger[Channel::Kinetic]
+    );
 }
 
 #[test]
@@ -140,7 +144,11 @@ fn a_gust_does_the_work_that_it_gives() {
     air.wind.fluctuation = Series { first: 0.1, spacing: 0.1, values: values.into() };
     net.parts.environment = Environment { air: Some(air), ..Environment::default() };
     let (outcome, _) = run(&net, 1.0, 1e-3);
-    assert!(outcome.ledger.kinetic > 0.01 && outcome.balance.closure() < 1e-4, "{}", outcome.balance.closure());
+    assert!(
+        outcome.ledger[Channel::Kinetic] > 0.01 && outcome.balance.closure() < 1e-4,
+        "{}",
+        outcome.balance.closure()
+    );
 }
 
 #[test]
@@ -179,7 +187,7 @@ fn a_loose_sheet_in_water_is_bounded_by_drag_alone_and_so_is_a_plate() {
         }
         net.parts.environment = Environment { air: Some(air.clone()), ..Environment::default() };
         let limit = step_limit(&net.build());
-        assert_eq!(limit.stiffest, Some(Stiff::Air));
+        assert_eq!(limit.stiffest, Some(Stiff::Effect { name: "drag", index: None }));
         limit.dt
     };
     // a third of rho C A u on each corner, and C dt / m at most 1 for what is between a node and the world

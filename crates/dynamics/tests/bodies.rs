@@ -3,12 +3,13 @@
 mod nets;
 
 use glam::{DQuat, DVec3};
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::drive::Drive;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome, Schedule, simulate};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::{Environment, System};
-use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
@@ -221,7 +222,7 @@ fn what_drives_a_node_does_the_work_that_the_net_gains() {
     let system = net.build();
     let schedule = Schedule::new(1.2, 0.01, 0.2 * step_limit(&system).dt);
     let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
-    assert!(outcome.ledger.drive < -0.1, "the drive has done {} J", -outcome.ledger.drive);
+    assert!(outcome.ledger[Channel::Drive] < -0.1, "the drive has done {} J", -outcome.ledger[Channel::Drive]);
     assert!(outcome.balance.closure() < 2e-3, "{}", outcome.balance.closure());
 }
 
@@ -251,9 +252,13 @@ fn a_body_whose_centre_is_driven_round_a_circle_swings_as_if_it_stayed() {
         assert!((position[tie.node] - position[centre] - *orientation * tie.arm).length() < 1e-12);
     }
     // the load's work is the rotation's energy and the drive's share, F . dx of the centre
-    println!("closure {:.1e}, drive {:.4} J", outcome.balance.closure(), outcome.ledger.drive);
+    println!("closure {:.1e}, drive {:.4} J", outcome.balance.closure(), outcome.ledger[Channel::Drive]);
     let by_hand = -GRAVITY * circle(2.0).z;
-    assert!((outcome.ledger.drive - by_hand).abs() < 1e-9, "{} and not {by_hand}", outcome.ledger.drive);
+    assert!(
+        (outcome.ledger[Channel::Drive] - by_hand).abs() < 1e-9,
+        "{} and not {by_hand}",
+        outcome.ledger[Channel::Drive]
+    );
     assert!(outcome.balance.closure() < 1e-5, "{}", outcome.balance.closure());
 }
 
@@ -296,6 +301,6 @@ fn a_load_that_is_brought_up_does_the_work_that_the_net_gains() {
     let system = net.build();
     let schedule = Schedule::new(0.5, 0.01, 0.2 * step_limit(&system).dt);
     let outcome = simulate(&system, &net.state, &schedule, 1, &mut Film::default());
-    assert!(outcome.ledger.load < -1.0, "the load has done {} J", -outcome.ledger.load);
+    assert!(outcome.ledger[Channel::Load] < -1.0, "the load has done {} J", -outcome.ledger[Channel::Load]);
     assert!(outcome.balance.closure() < 2e-3, "{}", outcome.balance.closure());
 }

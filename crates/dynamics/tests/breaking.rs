@@ -3,10 +3,11 @@
 mod nets;
 
 use glam::DVec3;
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Schedule, resume, simulate};
 use netcast_dynamics::snapshot::Snapshot;
-use netcast_dynamics::time::step_size::step_limit;
+use netcast_dynamics::step_size::step_limit;
 use nets::{Film, Net};
 use proptest::prelude::*;
 
@@ -71,7 +72,7 @@ fn a_jerked_rope_breaks_at_its_weak_segment_at_that_load() {
         assert!(tension > load && tension < 1.15 * PLATEAU, "{tension} N at a load of {load} N");
         // the front is as wide as a few segments
         assert!((only.time - front).abs() < 4.0 * segment_length / WAVE_SPEED, "{} s, front {front} s", only.time);
-        assert!(outcome.ledger.rupture > 0.0 && closure < 5e-4, "{:?}", outcome.ledger);
+        assert!(outcome.ledger[Channel::Rupture] > 0.0 && closure < 5e-4, "{:?}", outcome.ledger);
     }
 }
 
@@ -119,11 +120,11 @@ fn nothing_bends_over_a_segment_that_is_gone() {
     let axial = 0.5 * 500.0 * 500.0 / 1e4;
     println!(
         "{} J in rupture, {axial} of them the segment's; closure {:.1e}",
-        outcome.ledger.rupture,
+        outcome.ledger[Channel::Rupture],
         outcome.balance.closure()
     );
-    assert!((outcome.ledger.rupture - axial - 50.0).abs() < 1.0, "{:?}", outcome.ledger);
-    assert!(outcome.ledger.elastic < 1.0 && outcome.balance.closure() < 1e-4, "{:?}", outcome);
+    assert!((outcome.ledger[Channel::Rupture] - axial - 50.0).abs() < 1.0, "{:?}", outcome.ledger);
+    assert!(outcome.ledger[Channel::Elastic] < 1.0 && outcome.balance.closure() < 1e-4, "{:?}", outcome);
 }
 
 /// Interrupts a run at every record and keeps the snapshots.

@@ -3,9 +3,10 @@
 mod nets;
 
 use glam::DVec3;
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::simulate::{Schedule, simulate};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::step_limit;
 use proptest::prelude::*;
 
 proptest! {
@@ -49,7 +50,7 @@ proptest! {
         let system = net.build();
         let schedule = Schedule::new(0.2, 0.01, 0.2 * step_limit(&system).dt.min(1e-3));
         let outcome = simulate(&system, &net.state, &schedule, 1, &mut nets::Film::default());
-        prop_assert!(outcome.ledger.rope_damping >= -1e-3 * outcome.balance.initial());
+        prop_assert!(outcome.ledger[Channel::RopeDamping] >= -1e-3 * outcome.balance.initial());
         prop_assert!(outcome.balance.closure() < 0.01, "closure {}", outcome.balance.closure());
     }
 }

@@ -4,12 +4,13 @@
 mod nets;
 
 use glam::{DQuat, DVec3};
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::ground::{Footing, Ground, Hull, Spring};
 use netcast_dynamics::forces::orbit::Orbit;
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
 use netcast_dynamics::statics::{Accuracy, relax, unsupported};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
@@ -63,7 +64,11 @@ fn what_slides_stops_after_v_squared_over_twice_mu_g_and_stays() {
     let at = |i: usize| film.frames[i].1[stone].x;
     assert!((at(2000) / way - 1.0).abs() < 2e-3, "{} for {way} m", at(2000));
     assert!((at(2000) - at(1200)).abs() < 1e-6 * way);
-    assert!((outcome.ledger.ground_friction / 9.0 - 1.0).abs() < 1e-2, "{}", outcome.ledger.ground_friction);
+    assert!(
+        (outcome.ledger[Channel::GroundFriction] / 9.0 - 1.0).abs() < 1e-2,
+        "{}",
+        outcome.ledger[Channel::GroundFriction]
+    );
     assert!(outcome.balance.closure() < 1e-4, "{}", outcome.balance.closure());
 }
 
@@ -119,7 +124,7 @@ fn a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed() {
     // it slides for 2 v / (7 mu g) = 0.19 s
     let rolls = film.frames.last().unwrap().2[ball].x;
     assert!((rolls / (5.0 / 7.0 * speed) - 1.0).abs() < 2e-3, "{rolls}");
-    let lost = outcome.ledger.ground_friction / (0.5 * mass * speed * speed);
+    let lost = outcome.ledger[Channel::GroundFriction] / (0.5 * mass * speed * speed);
     assert!((lost / (2.0 / 7.0) - 1.0).abs() < 1e-2, "{lost}");
     assert!(outcome.balance.closure() < 1e-4, "{}", outcome.balance.closure());
 }

@@ -3,10 +3,11 @@
 mod nets;
 
 use glam::{DQuat, DVec3};
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::launcher::{Curve, Launcher, Means, Push, Tube};
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 
 const GRAVITY: f64 = 9.81;
@@ -48,7 +49,7 @@ fn a_constant_force_gives_the_muzzle_speed_of_its_work_and_a_recoil_of_its_momen
     let recoil = outcome.launching.recoil;
     assert!((recoil.impulse + MASS * speed * DVec3::X).length() < 1e-5 * MASS * speed, "{}", recoil.impulse);
     assert!((recoil.peak.0 - force).abs() < 1e-9);
-    assert!((outcome.ledger.launch + 0.5 * MASS * exact * exact).abs() < 1e-5 * MASS * exact * exact);
+    assert!((outcome.ledger[Channel::Launch] + 0.5 * MASS * exact * exact).abs() < 1e-5 * MASS * exact * exact);
     assert!(outcome.balance.closure() < 1e-5, "{}", outcome.balance.closure());
 }
 
@@ -114,7 +115,7 @@ fn what_waits_for_its_time_stays_and_then_has_its_velocity() {
         assert!((v[0] - exact).length() < 1e-12, "{} at {time} s", v[0]);
     }
     assert_eq!(left(&outcome).1, 5.0);
-    assert!((outcome.ledger.launch + 0.5 * MASS * 25.0).abs() < 1e-12);
+    assert!((outcome.ledger[Channel::Launch] + 0.5 * MASS * 25.0).abs() < 1e-12);
     assert!(outcome.balance.closure() < 1e-12);
 }
 
@@ -148,6 +149,6 @@ fn a_rope_pulled_out_of_two_launchers_closes_its_energy() {
     assert!((at(10e-3)[5] - net.state.position[5]).length() < 1e-12, "the cover has moved");
     assert!((at(30e-3)[0] - net.state.position[0]).length() < 1e-12, "what is held has moved");
     assert!(at(0.1)[body].distance(breech) > 2.0 * STROKE);
-    assert!(outcome.ledger.launch < -200.0, "{}", outcome.ledger.launch);
+    assert!(outcome.ledger[Channel::Launch] < -200.0, "{}", outcome.ledger[Channel::Launch]);
     assert!(outcome.balance.closure() < 1e-3, "{}", outcome.balance.closure());
 }

@@ -10,9 +10,9 @@ use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
 use netcast_dynamics::launcher::{Curve, Launcher, Means, Push, Tube};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::time::readable::Readable;
 use netcast_dynamics::time::step::{Engine, Stepper, Vectors};
-use netcast_dynamics::time::step_size::step_limit;
 use proptest::prelude::*;
 
 /// Every width of vectors on one thread, and several threads however small the net.
@@ -34,8 +34,7 @@ fn agree(net: nets::Net, steps: usize) -> Result<usize, TestCaseError> {
         for fused in &mut all {
             let sums = fused.step();
             if step > 0 {
-                prop_assert_eq!(sums.rope_work, readable.rope_work);
-                prop_assert_eq!(sums.air_work, readable.air_work);
+                prop_assert_eq!(sums.work, readable.work);
             }
             for node in 0..readable.position.len() {
                 prop_assert_eq!(fused.position(node), readable.position[node], "step {}, node {}", step, node);

@@ -4,8 +4,8 @@ mod nets;
 
 use glam::DVec3;
 use netcast_dynamics::simulate::{Schedule, simulate};
+use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::Environment;
-use netcast_dynamics::time::step_size::step_limit;
 use nets::{Film, Material, Net};
 
 /// A rope that hangs between two held ends, taut under pretension, plucked, with damping in the rope and by mass: all

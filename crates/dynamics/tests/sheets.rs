@@ -3,12 +3,13 @@
 mod nets;
 
 use glam::{DQuat, DVec2, DVec3};
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::bending::Bending;
 use netcast_dynamics::forces::hinge::Hinge;
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
-use netcast_dynamics::time::step_size::{Stiff, step_limit};
+use netcast_dynamics::step_size::{Stiff, step_limit};
 use nets::{Film, Material, Net};
 
 /// A square sheet of `n` by `n` cells of two triangles each and side 1 m, crumpled a little, thrown and spun; its
@@ -86,7 +87,7 @@ fn a_thrown_sheet_keeps_momentum_and_its_energy_balance_closes() {
         let closure = outcome.balance.closure();
         println!("compresses {compresses}, damping {damping_time} s: closure {closure:.2e}, {:?}", outcome.ledger);
         assert!(outcome.stopped.is_none() && closure < 2e-3, "{closure}");
-        assert_eq!(outcome.ledger.sheet_damping > 0.0, damping_time > 0.0);
+        assert_eq!(outcome.ledger[Channel::SheetDamping] > 0.0, damping_time > 0.0);
     }
 }
 
@@ -129,10 +130,13 @@ fn a_bending_rope_closes_its_balance_and_sets_its_step() {
         net.state.velocity[node] = 10.0 * libm::sin(4.0 * net.state.position[node].x) * DVec3::Z;
     }
     let limit = step_limit(&net.build());
-    assert!(matches!(limit.stiffest, Some(Stiff::Bending(_))) && limit.elsewhere > limit.dt, "{limit:?}");
+    assert!(
+        matches!(limit.stiffest, Some(Stiff::Effect { name: "bending", .. })) && limit.elsewhere > limit.dt,
+        "{limit:?}"
+    );
     let (_, outcome) = fly(&net, 0.3, 1);
     let closure = outcome.balance.closure();
-    assert!(closure < 1e-3 && outcome.ledger.rope_damping > 0.0, "{closure}");
+    assert!(closure < 1e-3 && outcome.ledger[Channel::RopeDamping] > 0.0, "{closure}");
 }
 
 #[test]

@@ -3,8 +3,9 @@
 mod nets;
 
 use glam::DVec3;
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::simulate::{Schedule, StepError, simulate};
-use netcast_dynamics::time::step_size::{Stiff, step_limit};
+use netcast_dynamics::step_size::{Stiff, step_limit};
 use nets::{Film, Material, Net};
 use proptest::prelude::*;
 
@@ -74,6 +75,6 @@ proptest! {
         let outcome = simulate(&system, &net.state, &Schedule::new(500.0 * limit, 500.0 * limit, 0.999 * limit), 1, &mut Film::default());
         prop_assert!(outcome.stopped.is_none());
         let (end, start) = (outcome.ledger, outcome.balance.initial());
-        prop_assert!(end.kinetic + end.elastic <= 3.0 * start, "from {start} J to {end:?}");
+        prop_assert!(end[Channel::Kinetic] + end[Channel::Elastic] <= 3.0 * start, "from {start} J to {end:?}");
     }
 }

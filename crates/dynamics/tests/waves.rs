@@ -4,7 +4,7 @@ mod nets;
 
 use glam::DVec3;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Schedule, simulate};
-use netcast_dynamics::time::step_size::step_limit;
+use netcast_dynamics::step_size::step_limit;
 use nets::Net;
 
 /// Tension of every segment at every record.

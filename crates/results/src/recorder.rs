@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::membrane::Membrane;
 use netcast_dynamics::limits::Limits;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome};
@@ -35,6 +36,8 @@ pub struct Recorder<'r> {
     /// The class of each segment in the system.
     groups: Vec<usize>,
     membranes: Vec<Membrane>,
+    /// The channels of the energy balance that are listed.
+    channels: Vec<Channel>,
     fields_every: u64,
     columns: Vec<String>,
     topology: FieldsTopology,
@@ -121,8 +124,8 @@ impl<'r> Recorder<'r> {
         let groups: Vec<usize> = system.segments().iter().map(|s| s.class).collect();
         let point_names: Vec<&str> = landmarks.points.iter().map(|p| &p.name[..]).collect();
         let class_names: Vec<&str> = landmarks.classes.iter().map(|c| &c.name[..]).collect();
-        let channels = netcast_dynamics::energy::Ledger::default().channels().map(|(name, _)| name);
-        let channels: Vec<&str> = channels.into_iter().chain(["residual"]).collect();
+        let listed: Vec<Channel> = system.channels().collect();
+        let channels: Vec<&str> = listed.iter().map(|channel| channel.name()).chain(["residual"]).collect();
         let labels =
             landmarks.points.iter().filter(|p| p.nodes.len() == 1).map(|p| (p.nodes[0] as u32, p.name.clone()));
         let triangles = landmarks.canopies.iter().flat_map(|canopy| &canopy.triangles);
@@ -154,6 +157,7 @@ impl<'r> Recorder<'r> {
             web_mass,
             groups,
             membranes: system.membranes().to_vec(),
+            channels: listed,
             fields_every,
             kept: None,
             progress,
@@ -240,7 +244,7 @@ impl<'r> Recorder<'r> {
             row.push(point.segments.iter().map(|&s| frame.tension[s]).reduce(f64::max));
         }
         row.extend(per_class.into_iter().flat_map(|(mean, max)| [Some(mean), Some(max)]));
-        row.extend(frame.ledger.channels().map(|(_, energy)| Some(energy)));
+        row.extend(self.channels.iter().map(|&channel| Some(frame.ledger[channel])));
         row.push(Some(frame.residual));
         row.extend(moment.row());
         // what overflows as a run diverges has no value
@@ -296,7 +300,7 @@ impl<'r> Recorder<'r> {
             final_j: ledger.stored(),
             closure: balance.closure(),
             closure_web: Some(balance.closure_web()),
-            channels: ledger.channels().into_iter().map(|(name, energy)| (name.to_owned(), energy)).collect(),
+            channels: self.channels.iter().map(|&channel| (channel.name().to_owned(), ledger[channel])).collect(),
             residual_j: last_residual,
             largest_residual_j: balance.largest_residual(),
             tolerance: tolerance.0,
@@ -314,7 +318,7 @@ impl Observer for Recorder<'_> {
 
     fn record(&mut self, frame: &Frame) {
         let (landmarks, measured) = (&self.landmarks, &mut self.measured);
-        let touches = frame.ledger.ground > 0.0;
+        let touches = frame.ledger[Channel::Ground] > 0.0;
         let moment = measured.at_records.add(landmarks, &self.web_mass, frame.time, frame.position, touches);
         measured.ropes.add(landmarks, frame.tension, &self.groups);
         let group_of = |segment: usize| self.groups[segment];

@@ -288,9 +288,9 @@ fn cost(model: &Model) {
     let fraction = model.largest_dt() / model.limit.dt;
     let records = schedule.count / schedule.steps_per_record + 1;
     let elements = [
-        ("bends", model.system.bends().len()),
+        ("bends", model.system.parts().bends.len()),
         ("triangles", model.system.membranes().len()),
-        ("hinges", model.system.hinges().len()),
+        ("hinges", model.system.parts().hinges.len()),
         ("rigid bodies", model.system.bodies().len()),
     ];
     let elements = elements.into_iter().filter(|(_, count)| *count > 0);

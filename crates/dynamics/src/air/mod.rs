@@ -9,7 +9,6 @@ use glam::{DQuat, DVec3};
 use crate::forces::body_drag::Shape;
 use crate::forces::rope_drag::RopeDrag;
 use crate::forces::sheet_drag::SheetDrag;
-use crate::system::System;
 use atmosphere::Medium;
 use wind::Wind;
 
@@ -48,7 +47,7 @@ pub struct BodyDrag {
 pub enum Attitude {
     /// Always like this.
     Fixed(DQuat),
-    /// As this rigid body, an index in [`System::bodies`](crate::system::System::bodies).
+    /// As this rigid body, an index in [`SystemParts::bodies`](crate::parts::SystemParts::bodies).
     Body(usize),
 }
 
@@ -57,29 +56,6 @@ impl Air {
     #[inline(always)]
     pub(crate) fn wind(&self, height: f64, gust: DVec3) -> DVec3 {
         self.wind.direction * self.wind.mean.at(height) + gust
-    }
-
-    /// Tells `add` a bound on the slope of drag against speed, N s/m, at each node: that of the force on a node, all
-    /// nodes moving alike.
-    pub(crate) fn damping(&self, system: &System, mut add: impl FnMut(usize, f64)) {
-        let (density, viscosity, fastest) = (self.medium.density(0.0), self.medium.viscosity(), self.fastest);
-        // a force that grows with the square of speed has twice the slope that it has on the average
-        let slope = |force: DVec3| 2.0 * force.abs().max_element() / fastest.max(f64::MIN_POSITIVE);
-        for s in system.segments() {
-            if let Some(rope) = self.ropes[s.class] {
-                let [across, along] = [DVec3::X, DVec3::Z]
-                    .map(|way| slope(rope.force(DVec3::Z, fastest * way, s.rest_length, density, viscosity)));
-                s.ends.iter().for_each(|&end| add(end, 0.5 * across.max(along)));
-            }
-        }
-        for sheet in &self.sheets {
-            let whole = density * sheet.coefficient * sheet.area * fastest;
-            sheet.nodes.iter().for_each(|&node| add(node, whole / 3.0));
-        }
-        for body in &self.bodies {
-            let along = DVec3::AXES.map(|way| slope(body.shape.force(fastest * way, density, viscosity)));
-            add(body.node, along.iter().sum());
-        }
     }
 
     /// Nothing that drags as yet, in a medium that moves.

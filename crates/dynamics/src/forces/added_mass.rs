@@ -13,33 +13,6 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::air::Air;
-use crate::system::System;
-
-/// A segment that meets others at a node: its other end, its number, and the mass that half of it takes along, kg.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Arm {
-    pub to: usize,
-    pub segment: usize,
-    pub taken_along: f64,
-}
-
-/// The segments that take mass along at each node that has mass of its own, (nodes,).
-pub(crate) fn arms(system: &System, air: &Air) -> Vec<Vec<Arm>> {
-    let mut arms = vec![Vec::new(); system.mass().len()];
-    let displaced = air.added_mass * air.medium.density(0.0) * std::f64::consts::FRAC_PI_4;
-    for (segment, s) in system.segments().iter().enumerate() {
-        let Some(rope) = air.ropes[s.class] else { continue };
-        let taken_along = 0.5 * displaced * rope.diameter * rope.diameter * s.rest_length;
-        for end in s.ends {
-            if system.mass()[end] > 0.0 && !system.held()[end] {
-                arms[end].push(Arm { to: s.other_end(end), segment, taken_along });
-            }
-        }
-    }
-    arms
-}
-
 /// The force of the medium's inertia, N, on a node of `mass`, kg, on which the others sum to `force`, N. `taken_along`:
 /// each segment's mass, kg, and span, m.
 pub fn force(mass: f64, force: DVec3, taken_along: impl Iterator<Item = (f64, DVec3)>) -> DVec3 {

@@ -5,14 +5,12 @@
 
 use glam::DVec3;
 
-/// Adds every node's weight to `force`, N; `mass` in kg; both (nodes,).
-pub fn add_force(gravity: DVec3, mass: &[f64], force: &mut [DVec3]) {
-    for (f, &m) in force.iter_mut().zip(mass) {
-        *f += m * gravity;
-    }
+/// Weight of a mass, kg, in N.
+pub fn force(gravity: DVec3, mass: f64) -> DVec3 {
+    mass * gravity
 }
 
-/// Potential energy of all nodes relative to the origin, J.
-pub fn energy(gravity: DVec3, mass: &[f64], position: &[DVec3]) -> f64 {
-    0.0 - position.iter().zip(mass).map(|(x, m)| m * gravity.dot(*x)).sum::<f64>()
+/// Work that the weight of a mass, kg, does on its way from the origin to `x`, m, in J.
+pub fn work(gravity: DVec3, mass: f64, x: DVec3) -> f64 {
+    mass * gravity.dot(x)
 }

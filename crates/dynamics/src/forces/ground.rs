@@ -25,8 +25,6 @@ use glam::DVec3;
 use super::element::Stress;
 use super::rope_tension::ramp;
 use crate::body::{Body, Rotation};
-use crate::state::State;
-use crate::system::System;
 
 /// A level plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +53,7 @@ pub struct Footing {
 /// A point of a rigid body on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hull {
-    /// Which body, an index in [`System::bodies`].
+    /// Which body, an index in [`SystemParts::bodies`](crate::parts::SystemParts::bodies).
     pub body: usize,
     /// From its centre, along its principal axes, m.
     pub arm: DVec3,
@@ -121,18 +119,10 @@ impl Ground {
         Stress { elastic: [DVec3::Z * elastic], friction: [DVec3::Z * (normal - elastic) - along] }
     }
 
-    /// What it has stored where nodes and bodies are, J.
-    pub fn energy(&self, system: &System, state: &State) -> f64 {
-        let stored = |spring: &Spring, x: DVec3| {
-            let depth = (self.height - x.z).max(0.0);
-            0.5 * spring.stiffness * depth * depth
-        };
-        let nodes = self.nodes.iter().map(|at| stored(&at.spring, at.lowest(state.position[at.node])));
-        let hulls = self.hulls.iter().map(|hull| {
-            let centre = state.position[system.bodies()[hull.body].centre];
-            stored(&hull.spring, centre + hull.offset(&state.rotation[hull.body]))
-        });
-        nodes.sum::<f64>() + hulls.sum::<f64>()
+    /// What it has stored in the spring of a point at `x`, m, in J.
+    pub(crate) fn energy(&self, spring: &Spring, x: DVec3) -> f64 {
+        let depth = (self.height - x.z).max(0.0);
+        0.5 * spring.stiffness * depth * depth
     }
 }
 

@@ -13,16 +13,12 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-use serde::{Deserialize, Serialize};
-
 use super::bilinear::Bilinear;
-use super::rope_tension::{self, Along, LANES, Pull, friction_work, sum_lanes};
+use super::rope_tension::{self, Along, Pull};
+use super::segment::Segment;
 use super::strut;
 use super::tabulated::Tabulated;
 use super::viscoelastic::{Decay, Viscoelastic};
-use crate::layout::Address;
-use crate::system::{Segment, System};
 
 /// A law of tension against stretch.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -178,85 +174,4 @@ impl Law {
             Law::Linear | Law::Bilinear(_) | Law::Viscoelastic(_) | Law::Strut => 0.0,
         }
     }
-}
-
-/// What evolves of the segments beside their nodes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct RopeState {
-    /// What each remembers, (segments,); empty where no law of the system remembers.
-    pub memory: Vec<Memory>,
-    /// Whether each is broken, (segments,).
-    pub broken: Vec<bool>,
-}
-
-impl RopeState {
-    /// Of a system that has been at these positions, m, for long, nothing broken.
-    pub fn at_rest(system: &System, position: &[DVec3]) -> RopeState {
-        let segments = system.segments().iter();
-        let memory = segments.clone().map(|s| system.law(s).at_rest(s.stretch(position)));
-        RopeState {
-            memory: if system.remembers() { memory.collect() } else { Vec::new() },
-            broken: segments.map(|_| false).collect(),
-        }
-    }
-
-    /// What a segment remembers.
-    pub fn memory_of(&self, segment: usize) -> Memory {
-        self.memory.get(segment).copied().unwrap_or_default()
-    }
-
-    /// A segment along itself, as it is now.
-    pub fn axial(&self, system: &System, segment: usize) -> Axial {
-        if self.broken[segment] { Axial::GONE } else { Axial::from(&system.segments()[segment]) }
-    }
-}
-
-/// Writes what every segment does to `pulls`, (segments,), each from its slot to the next, and lets `ropes` remember. `dt`
-/// is the step, `elapsed` the time since the forces before, s.
-pub fn pull_all(
-    system: &System,
-    position: &[DVec3],
-    velocity: &[DVec3],
-    dt: f64,
-    elapsed: f64,
-    ropes: &mut RopeState,
-    pulls: &mut [Pull],
-) {
-    for block in system.layout().blocks() {
-        for pair in block.slots.windows(2) {
-            if let Some(index) = pair[0].segment {
-                let (law, [a, b]) = (system.law(&system.segments()[index]), [pair[0].node, pair[1].node]);
-                let (span, rate) = (position[b] - position[a], velocity[b] - velocity[a]);
-                let (axial, mut memory, decay) =
-                    (ropes.axial(system, index), ropes.memory_of(index), law.decay(elapsed));
-                pulls[index] = law.pull(span.into(), rate.into(), axial, &mut memory, dt, &decay);
-                if let Some(kept) = ropes.memory.get_mut(index) {
-                    *kept = memory;
-                }
-            }
-        }
-    }
-}
-
-/// The force of the segments before and after a slot on it, N.
-pub fn force_at(system: &System, pulls: &[Pull], at: Address) -> DVec3 {
-    let slots = &system.layout().blocks()[at.block].slots;
-    let pull = |slot: usize| slots[slot].segment.map_or(DVec3::ZERO, |index| pulls[index].force.into());
-    pull(at.slot) - at.slot.checked_sub(1).map_or(DVec3::ZERO, pull)
-}
-
-/// Work lost in each block as its segments go from one length and friction to the next, J.
-pub fn lost_work(system: &System, before: &[Pull], after: &[Pull]) -> f64 {
-    let mut sum = 0.0;
-    for block in system.layout().blocks() {
-        let mut lanes = [0.0; LANES];
-        for (i, slot) in block.slots.iter().enumerate() {
-            if let Some(index) = slot.segment {
-                let Pull { length, friction, .. } = before[index];
-                lanes[i % LANES] += friction_work(length, friction, &after[index]) + after[index].lost;
-            }
-        }
-        sum += sum_lanes(lanes);
-    }
-    sum
 }

@@ -31,16 +31,3 @@ impl Load {
         self.ramp == 0.0
     }
 }
-
-/// Adds the loads at `time`, s, to `force`, N, (nodes,).
-pub fn add_force(loads: &[Load], time: f64, force: &mut [DVec3]) {
-    for load in loads {
-        force[load.node] += load.at(time);
-    }
-}
-
-/// Potential energy of all loads that are there from the start, relative to the origin, J; `position` in m, (nodes,).
-pub fn energy(loads: &[Load], position: &[DVec3]) -> f64 {
-    let steady = loads.iter().filter(|load| load.is_steady());
-    0.0 - steady.map(|load| load.force.dot(position[load.node])).sum::<f64>()
-}

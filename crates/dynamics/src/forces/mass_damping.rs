@@ -10,19 +10,8 @@
 //! v+ = p v- + q F/m,    p = (1 - alpha dt/2)/(1 + alpha dt/2),    q = dt/(1 + alpha dt/2)
 //! ```
 
-use crate::state::State;
-use crate::system::System;
-
 /// The factors (p, q) of a step of `dt` seconds; (1, dt) without damping.
 pub fn step_factors(damping: f64, dt: f64) -> (f64, f64) {
     let half = 0.5 * damping * dt;
     ((1.0 - half) / (1.0 + half), dt / (1.0 + half))
-}
-
-/// Power lost by all nodes and turning bodies, W: alpha times the sum of m v^2 and of L . omega.
-pub fn lost_power(system: &System, state: &State) -> f64 {
-    let of_nodes: f64 = state.velocity.iter().zip(system.mass()).map(|(v, m)| m * v.length_squared()).sum();
-    let turning = system.bodies().iter().zip(&state.rotation);
-    let of_bodies: f64 = turning.map(|(body, rotation)| 2.0 * body.rotational_energy(rotation)).sum();
-    system.environment().mass_damping * (of_nodes + of_bodies)
 }

@@ -42,6 +42,7 @@ pub mod membrane;
 pub mod orbit;
 pub mod rope_drag;
 pub mod rope_tension;
+pub mod segment;
 pub mod sheet_drag;
 pub mod strut;
 pub mod tabulated;

@@ -11,9 +11,6 @@
 
 use glam::DVec3;
 
-use crate::state::State;
-use crate::system::System;
-
 /// A circular orbit through the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
@@ -44,14 +41,11 @@ impl Orbit {
             - n * n * x.dot(across) * across
     }
 
-    /// Energy of all masses, J.
-    pub fn energy(&self, system: &System, state: &State) -> f64 {
+    /// Energy of a mass, kg, at `x`, m, in J.
+    pub fn energy(&self, mass: f64, x: DVec3) -> f64 {
         let (n, across) = (self.mean_motion, self.radial.cross(self.along));
-        let of_one = |(x, mass): (&DVec3, &f64)| {
-            let (away, aside) = (x.dot(self.radial), x.dot(across));
-            -0.5 * mass * n * n * (3.0 * away * away - aside * aside)
-        };
-        state.position.iter().zip(system.mass()).map(of_one).sum()
+        let (away, aside) = (x.dot(self.radial), x.dot(across));
+        -0.5 * mass * n * n * (3.0 * away * away - aside * aside)
     }
 }
 

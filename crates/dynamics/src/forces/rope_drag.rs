@@ -24,10 +24,6 @@
 
 use glam::DVec3;
 
-use super::rope_tension::{LANES, sum_lanes};
-use crate::layout::Address;
-use crate::system::System;
-
 /// How a round rope drags.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RopeDrag {
@@ -165,49 +161,6 @@ impl RopeDrag {
         let coefficient = self.coefficient(density * met.across * (self.diameter / viscosity));
         met.force(coefficient, self.tangential, density * self.half_area(rest_length)).into()
     }
-}
-
-/// Before there were any forces: nothing for each segment, (segments,); empty where there is no air.
-pub(crate) fn none(system: &System) -> Vec<(DVec3, DVec3)> {
-    let segments = if system.environment().air.is_some() { system.segments().len() } else { 0 };
-    vec![(DVec3::ZERO, DVec3::ZERO); segments]
-}
-
-/// Writes half the drag of every segment, N, and its middle, m, to `drags`, (segments,), and returns the work done on
-/// the air since those that were there, J. `broken` segments do not drag.
-pub(crate) fn drag_all(
-    system: &System,
-    time: f64,
-    position: &[DVec3],
-    velocity: &[DVec3],
-    broken: &[bool],
-    drags: &mut [(DVec3, DVec3)],
-) -> f64 {
-    let Some(air) = &system.environment().air else { return 0.0 };
-    let (gust, viscosity, mut sum) = (air.wind.fluctuation.at(time), air.medium.viscosity(), 0.0);
-    for block in system.layout().blocks() {
-        let Some(rope) = air.ropes.get(block.class).copied().flatten() else { continue };
-        let mut lanes = [0.0; LANES];
-        for (i, pair) in block.slots.windows(2).enumerate() {
-            let Some(index) = pair[0].segment else { continue };
-            let [a, b] = [pair[0].node, pair[1].node];
-            let (middle, mean) = (0.5 * (position[a] + position[b]), 0.5 * (velocity[a] + velocity[b]));
-            let rest_length = if broken[index] { 0.0 } else { system.segments()[index].rest_length };
-            let (relative, density) = (air.wind(middle.z, gust) - mean, air.medium.density(middle.z));
-            let half = rope.half_force(position[b] - position[a], relative, rest_length, density, viscosity);
-            let (last_half, last_middle) = std::mem::replace(&mut drags[index], (half, middle));
-            lanes[i % LANES] -= (last_half + half).dot(middle - last_middle);
-        }
-        sum += sum_lanes(lanes);
-    }
-    sum
-}
-
-/// The drag that a slot has of the segments before and after it, N.
-pub(crate) fn force_at(system: &System, drags: &[(DVec3, DVec3)], at: Address) -> DVec3 {
-    let slots = &system.layout().blocks()[at.block].slots;
-    let half = |slot: usize| slots[slot].segment.and_then(|index| drags.get(index)).map_or(DVec3::ZERO, |drag| drag.0);
-    at.slot.checked_sub(1).map_or(DVec3::ZERO, half) + half(at.slot)
 }
 
 #[cfg(test)]

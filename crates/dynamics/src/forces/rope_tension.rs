@@ -136,15 +136,6 @@ pub(crate) fn friction_work(length: f64, friction: f64, now: &Pull) -> f64 {
     0.5 * (friction + now.friction) * (now.length - length)
 }
 
-/// Sums over segments run in so many interleaved parts, whatever the width of the machine's vectors.
-pub(crate) const LANES: usize = 8;
-
-/// The parts of a sum in a fixed order.
-#[inline(always)]
-pub(crate) fn sum_lanes(lanes: [f64; LANES]) -> f64 {
-    ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,25 +1,20 @@
-//! A block of slots as arrays, and the two loops that run over it. All that is hot is here.
+//! A block of slots as arrays: its nodes, its ropes, and what it exchanges with other blocks.
 //!
-//! Every component of every quantity has an array of its own, padded to whole groups of [`LANES`] slots. The loops
-//! have no branches, so that the compiler turns them into vector instructions; which ones is chosen when the program
-//! runs. Neither wider vectors nor threads change a bit: sums run in [`LANES`] interleaved parts whatever the width,
-//! and multiplications and additions are never contracted.
+//! Every component of every quantity has an array of its own, padded to whole groups of [`LANES`] slots, so that the
+//! loops over them in [`super::passes`] become vector instructions.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::attached::Moving;
-use super::dragging::{Breeze, Dragging, drag_pass, meet_pass};
+use super::dragging::Dragging;
 use super::rupture::{Failing, Strength};
 use crate::forces::law::{Axial, Law, Memory};
-use crate::forces::rope_tension::{self, LANES, sum_lanes};
+use crate::forces::segment::Segment;
+use crate::lanes::{Components, LANES, zeros};
 use crate::layout::{Address, BlockPlan};
-use crate::system::{Segment, System};
-use crate::time::StepFactors;
-
-/// One value a slot for each of x, y, z.
-pub(super) type Components = [Vec<f64>; 3];
+use crate::moving::Moving;
+use crate::system::System;
 
 /// The nodes of a block: state, mass, and where they exchange with other slots.
 #[derive(Debug, Clone)]
@@ -30,17 +25,17 @@ pub(super) struct Nodes {
     /// Velocity extrapolated to the step.
     pub w: Components,
     /// At the home of a knot, the force of its other slots, N; zero elsewhere. With air, at every slot, its drag as well.
-    elsewhere: Components,
+    pub elsewhere: Components,
     /// Zero where a node is held or has its home in another slot: the pass over nodes then leaves it alone.
-    mass: Vec<f64>,
-    per_mass: Vec<f64>,
+    pub mass: Vec<f64>,
+    pub per_mass: Vec<f64>,
     /// Scratch: one term a slot of what is summed.
-    each: Vec<f64>,
+    pub each: Vec<f64>,
     /// Sum of m v^2 at the step, J.
     pub mass_velocity_squared: f64,
     exchange: Exchange,
-    /// Homes of nodes on which something beside ropes may act: slot and node.
-    attached: Vec<(u32, u32)>,
+    /// Homes of nodes on which effects may act: slot and node.
+    acted_on: Vec<(u32, u32)>,
 }
 
 /// The segments of a block: each joins a slot to the next.
@@ -88,16 +83,16 @@ struct Exchange {
 }
 
 impl Nodes {
-    fn new(plan: &BlockPlan, block: usize, system: &System, exchange: Exchange, touched: &[bool]) -> Nodes {
+    fn new(plan: &BlockPlan, block: usize, system: &System, exchange: Exchange, is_acted_on: &[bool]) -> Nodes {
         let (filled, padded) = padding(plan);
-        let (mut mass, mut attached) = (vec![0.0; filled], Vec::new());
+        let (mut mass, mut acted_on) = (vec![0.0; filled], Vec::new());
         for (i, slot) in plan.slots.iter().enumerate() {
             let at_home = system.layout().homes()[slot.node] == Address { block, slot: i };
             if at_home && !system.held()[slot.node] {
                 mass[i] = system.mass()[slot.node];
             }
-            if at_home && touched[slot.node] {
-                attached.push((i as u32, slot.node as u32));
+            if at_home && is_acted_on[slot.node] {
+                acted_on.push((i as u32, slot.node as u32));
             }
         }
         Nodes {
@@ -110,7 +105,7 @@ impl Nodes {
             per_mass: mass.iter().map(|&m| if m > 0.0 { 1.0 / m } else { 0.0 }).collect(),
             mass,
             exchange,
-            attached,
+            acted_on,
         }
     }
 
@@ -142,29 +137,29 @@ impl Nodes {
         }
     }
 
-    /// Collects at their homes the forces of knots' other slots, those `attached` to nodes, N, (nodes,), and of the
-    /// drag of this `block`.
-    pub fn collect(&mut self, ropes: &[Ropes], attached: &[DVec3], block: usize) {
+    /// Collects at their homes the forces of knots' other slots, those of effects on nodes, N, (nodes,), and the drag of
+    /// this `block`.
+    pub fn collect(&mut self, ropes: &[Ropes], of_effects: &[DVec3], block: usize) {
         match &ropes[block].dragging {
-            None => self.collect_at_knots(ropes, attached),
+            None => self.collect_at_knots(ropes, of_effects),
             Some(dragging) => {
-                // what was added at the slots that are no knots stays there else
+                // clear first: slots that are not knots would keep the last step's drag
                 self.elsewhere.iter_mut().for_each(|force| force.fill(0.0));
-                self.collect_at_knots(ropes, attached);
+                self.collect_at_knots(ropes, of_effects);
                 dragging.add_to(&mut self.elsewhere);
             }
         }
     }
 
-    fn collect_at_knots(&mut self, ropes: &[Ropes], attached: &[DVec3]) {
+    fn collect_at_knots(&mut self, ropes: &[Ropes], of_effects: &[DVec3]) {
         let n = self.mass.len();
         let [fx, fy, fz] = &mut self.elsewhere;
         let (fx, fy, fz) = (&mut fx[..n], &mut fy[..n], &mut fz[..n]);
-        let alone = self.attached.is_empty();
+        let alone = self.acted_on.is_empty();
         if !alone {
             let homes = self.exchange.homes.iter().map(|(home, _)| (*home as usize, DVec3::ZERO));
-            let attached = self.attached.iter().map(|&(slot, node)| (slot as usize, attached[node as usize]));
-            homes.chain(attached).for_each(|(slot, force)| (fx[slot], fy[slot], fz[slot]) = force.into());
+            let acted_on = self.acted_on.iter().map(|&(slot, node)| (slot as usize, of_effects[node as usize]));
+            homes.chain(acted_on).for_each(|(slot, force)| (fx[slot], fy[slot], fz[slot]) = force.into());
         }
         for (home, others) in &self.exchange.homes {
             let at = *home as usize;
@@ -251,18 +246,48 @@ impl Ropes {
         self.slot_force(slot).into()
     }
 
-    /// Tensions, pulls and drag of all segments, `dt` being the step, s; `moved`, whether one has passed since the
-    /// forces before.
-    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, breeze: Option<Breeze>) {
-        self.let_go(moved);
-        if let Some(breeze) = breeze {
-            self.drag(nodes, vectors, breeze);
+    /// Takes out what broke at the forces before, unless these are the same again.
+    pub fn let_go(&mut self, moved: bool) {
+        for Failing { slot, .. } in std::mem::take(&mut self.failing) {
+            if moved {
+                self.remove(slot);
+            }
         }
-        match self.law {
-            Law::Linear => vectors.pull_segments(nodes, self, dt),
-            _ => self.pull_by_law(nodes, dt, moved),
+    }
+
+    /// The segment of this slot is no more.
+    pub fn remove(&mut self, slot: usize) {
+        let Axial { rest_length, stiffness, damping } = Axial::GONE;
+        (self.rest_length[slot], self.stiffness[slot], self.damping[slot]) = (rest_length, stiffness, damping);
+        if let Some(dragging) = &mut self.dragging {
+            dragging.remove(slot);
         }
-        self.yield_to_loads();
+        self.strength.remove(slot);
+    }
+
+    /// Finds what breaks under the tensions just computed. A block that does not break pays one comparison a step.
+    pub fn break_under_load(&mut self) {
+        if self.strength.holds(self.max_tension) {
+            return;
+        }
+        for slot in self.strength.exceeded(&self.tension, &self.length).collect::<Vec<_>>() {
+            let (axial, memory) = (self.axial(slot), self.memory.get(slot).copied().unwrap_or_default());
+            let energy = self.law.elastic_energy(self.length[slot] - axial.rest_length, &axial, &memory);
+            self.failing.push(Failing { slot, tension: self.tension[slot], energy });
+            // nothing takes back what its last tension does
+            self.friction[slot] = self.tension[slot];
+        }
+    }
+
+    /// Whether the segment of this slot is gone.
+    pub fn is_gone(&self, slot: usize) -> bool {
+        self.rest_length[slot] == Axial::GONE.rest_length
+    }
+
+    /// The segment of a slot along itself.
+    pub fn axial(&self, slot: usize) -> Axial {
+        let (rest_length, stiffness, damping) = (self.rest_length[slot], self.stiffness[slot], self.damping[slot]);
+        Axial { rest_length, stiffness, damping }
     }
 
     /// The force of a slot's two segments on it, their drag included, N.
@@ -288,8 +313,8 @@ impl Ropes {
     }
 }
 
-/// The blocks of a system, in which something beside ropes may act on the nodes that are `touched`.
-pub(super) fn blocks(system: &System, touched: &[usize]) -> (Vec<Nodes>, Vec<Ropes>) {
+/// The blocks of a system, where effects may act on the nodes that say so, (nodes,).
+pub(super) fn blocks(system: &System, acted_on: &[bool]) -> (Vec<Nodes>, Vec<Ropes>) {
     let layout = system.layout();
     let mut exchanges = vec![Exchange::default(); layout.blocks().len()];
     for slots in layout.knots() {
@@ -303,10 +328,8 @@ pub(super) fn blocks(system: &System, touched: &[usize]) -> (Vec<Nodes>, Vec<Rop
             exchanges[other.block].guests.push((other.slot as u32, home.block as u32, place));
         }
     }
-    let mut is_touched = vec![false; system.mass().len()];
-    touched.iter().for_each(|&node| is_touched[node] = true);
     let plans = layout.blocks().iter().enumerate().zip(exchanges);
-    let nodes = plans.map(|((block, plan), exchange)| Nodes::new(plan, block, system, exchange, &is_touched)).collect();
+    let nodes = plans.map(|((block, plan), exchange)| Nodes::new(plan, block, system, exchange, acted_on)).collect();
     (nodes, layout.blocks().iter().map(|plan| Ropes::new(plan, system)).collect())
 }
 
@@ -314,260 +337,4 @@ pub(super) fn blocks(system: &System, touched: &[usize]) -> (Vec<Nodes>, Vec<Rop
 fn padding(plan: &BlockPlan) -> (usize, usize) {
     let groups = plan.slots.len().div_ceil(LANES);
     (groups * LANES, (groups + 1) * LANES)
-}
-
-pub(super) fn zeros(length: usize) -> Components {
-    std::array::from_fn(|_| vec![0.0; length])
-}
-
-/// Tensions and pulls of all segments of the block from `x` and `w`.
-#[inline(always)]
-fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
-    let Nodes { x, w, .. } = nodes;
-    let Ropes { pull, tension, length, friction, each, rest_length, stiffness, damping, .. } = ropes;
-    let [px, py, pz] = pull;
-    pull_each(
-        [&x[0], &x[1], &x[2]],
-        [&w[0], &w[1], &w[2]],
-        [rest_length, stiffness, damping],
-        &mut px[1..],
-        &mut py[1..],
-        &mut pz[1..],
-        tension,
-        length,
-        friction,
-        each,
-        dt,
-    );
-    ropes.rope_work = sum(&ropes.each);
-    ropes.max_tension = max(&ropes.tension);
-}
-
-/// The loop of [`pull_pass`]. Each array that is written is an argument of its own: only so does the compiler
-/// know that they do not overlap, without which there are no vectors.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn pull_each(
-    [x, y, z]: [&[f64]; 3],
-    [u, v, w]: [&[f64]; 3],
-    [rest_length, stiffness, damping]: [&[f64]; 3],
-    px: &mut [f64],
-    py: &mut [f64],
-    pz: &mut [f64],
-    tension: &mut [f64],
-    length: &mut [f64],
-    friction: &mut [f64],
-    work: &mut [f64],
-    dt: f64,
-) {
-    // slices of known length: no bounds are checked inside the loop
-    let n = tension.len();
-    let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
-    let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
-    let (rest_length, stiffness, damping) = (&rest_length[..n], &stiffness[..n], &damping[..n]);
-    let (px, py, pz) = (&mut px[..n], &mut py[..n], &mut pz[..n]);
-    let (length, friction, work) = (&mut length[..n], &mut friction[..n], &mut work[..n]);
-    for i in 0..n {
-        let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
-        let rate = [u1[i] - u0[i], v1[i] - v0[i], w1[i] - w0[i]];
-        let p = rope_tension::pull(span, rate, rest_length[i], stiffness[i], damping[i], dt);
-        work[i] = rope_tension::friction_work(length[i], friction[i], &p);
-        (tension[i], length[i], friction[i]) = (p.tension, p.length, p.friction);
-        (px[i], py[i], pz[i]) = (p.force[0], p.force[1], p.force[2]);
-    }
-}
-
-/// Kick and drift of all nodes that have their home in the block. Slots without a home stay, and are written anew before
-/// they are read.
-#[inline(always)]
-fn advance_pass(nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
-    let Nodes { x, v, w, elsewhere, mass, per_mass, each, .. } = nodes;
-    let ([x, y, z], [vx, vy, vz], [wx, wy, wz]) = (x, v, w);
-    let masses = [&mass[..], &per_mass[..]];
-    let [px, py, pz] = &ropes.pull;
-    let [ex, ey, ez] = &*elsewhere;
-    // without mass damping nobody asks for m v^2, which costs a sixth of the pass
-    match factors.p == 1.0 {
-        true => {
-            advance_each::<NOT>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
-            advance_each::<NOT>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
-            advance_each::<NOT>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
-        }
-        false => {
-            advance_each::<SET>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
-            advance_each::<ADD>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
-            advance_each::<ADD>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
-            nodes.mass_velocity_squared = sum(&nodes.each);
-        }
-    }
-}
-
-/// What [`advance_each`] does with m v^2 of its axis.
-const NOT: u8 = 0;
-const SET: u8 = 1;
-const ADD: u8 = 2;
-
-/// The loop of [`advance_pass`] for one axis; what is written is apart, as in [`pull_each`].
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-fn advance_each<const SQUARES: u8>(
-    [pull, elsewhere]: [&[f64]; 2],
-    [mass, per_mass]: [&[f64]; 2],
-    factors: StepFactors,
-    gravity: f64,
-    x: &mut [f64],
-    v: &mut [f64],
-    w: &mut [f64],
-    squares: &mut [f64],
-) {
-    let n = squares.len();
-    let (before, after, elsewhere) = (&pull[..n], &pull[1..n + 1], &elsewhere[..n]);
-    let (mass, per_mass) = (&mass[..n], &per_mass[..n]);
-    let (x, v, w) = (&mut x[..n], &mut v[..n], &mut w[..n]);
-    for i in 0..n {
-        let force = (elsewhere[i] + (after[i] - before[i])) + mass[i] * gravity;
-        let last = v[i];
-        [v[i], x[i], w[i]] = factors.advance(last, x[i], force * per_mass[i]);
-        if SQUARES != NOT {
-            let at_step = 0.5 * (last + v[i]);
-            let square = mass[i] * (at_step * at_step);
-            squares[i] = if SQUARES == SET { square } else { squares[i] + square };
-        }
-    }
-}
-
-/// The widest vectors that the passes over blocks may use. All give the same bits; the machine decides which of them it
-/// has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Vectors {
-    /// Whatever the machine has.
-    #[default]
-    Widest,
-    /// At most AVX2: 256 bits.
-    Avx2,
-    /// At most AVX: 256 bits.
-    Avx,
-    /// What every machine of its kind has; on x86-64, SSE2: 128 bits.
-    Baseline,
-}
-
-impl Vectors {
-    /// Every choice.
-    pub const ALL: [Vectors; 4] = [Vectors::Widest, Vectors::Avx2, Vectors::Avx, Vectors::Baseline];
-
-    /// Their width on this machine, bits.
-    pub fn bits(self) -> u32 {
-        #[cfg(target_arch = "x86_64")]
-        {
-            let avx512 = is_x86_feature_detected!("avx512f")
-                && is_x86_feature_detected!("avx512vl")
-                && is_x86_feature_detected!("avx512dq");
-            if self == Vectors::Widest && avx512 {
-                return 512;
-            }
-            if self != Vectors::Baseline && is_x86_feature_detected!("avx") {
-                return 256;
-            }
-        }
-        128
-    }
-
-    /// Tensions and pulls of all segments of a block.
-    fn pull_segments(self, nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
-        match self {
-            Vectors::Widest => widest::pull_segments(nodes, ropes, dt),
-            Vectors::Avx2 => avx2::pull_segments(nodes, ropes, dt),
-            Vectors::Avx => avx::pull_segments(nodes, ropes, dt),
-            Vectors::Baseline => pull_pass(nodes, ropes, dt),
-        }
-    }
-
-    /// What the segments of a block meet of the wind.
-    pub(super) fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
-        match self {
-            Vectors::Widest => widest::meet_wind(nodes, dragging, breeze),
-            Vectors::Avx2 => avx2::meet_wind(nodes, dragging, breeze),
-            Vectors::Avx => avx::meet_wind(nodes, dragging, breeze),
-            Vectors::Baseline => meet_pass(nodes, dragging, breeze),
-        }
-    }
-
-    /// Drag of all segments of a block.
-    pub(super) fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
-        match self {
-            Vectors::Widest => widest::drag_segments(nodes, dragging, breeze),
-            Vectors::Avx2 => avx2::drag_segments(nodes, dragging, breeze),
-            Vectors::Avx => avx::drag_segments(nodes, dragging, breeze),
-            Vectors::Baseline => drag_pass(nodes, dragging, breeze),
-        }
-    }
-
-    /// Kick and drift of all nodes that have their home in a block.
-    pub(super) fn advance_nodes(self, nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
-        match self {
-            Vectors::Widest => widest::advance_nodes(nodes, ropes, factors, gravity),
-            Vectors::Avx2 => avx2::advance_nodes(nodes, ropes, factors, gravity),
-            Vectors::Avx => avx::advance_nodes(nodes, ropes, factors, gravity),
-            Vectors::Baseline => advance_pass(nodes, ropes, factors, gravity),
-        }
-    }
-}
-
-/// The passes, compiled for each of some targets and for the baseline; which one runs is chosen on the machine.
-macro_rules! passes {
-    ($module:ident: $($target:literal),*) => {
-        mod $module {
-            use multiversion::multiversion;
-
-            use super::{Breeze, Dragging, Nodes, Ropes, StepFactors};
-
-            #[multiversion(targets($($target),*))]
-            pub fn pull_segments(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
-                super::pull_pass(nodes, ropes, dt);
-            }
-
-            #[multiversion(targets($($target),*))]
-            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
-                super::meet_pass(nodes, dragging, breeze);
-            }
-
-            #[multiversion(targets($($target),*))]
-            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
-                super::drag_pass(nodes, dragging, breeze);
-            }
-
-            #[multiversion(targets($($target),*))]
-            pub fn advance_nodes(nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
-                super::advance_pass(nodes, ropes, factors, gravity);
-            }
-        }
-    };
-}
-
-passes!(widest: "x86_64+avx512f+avx512vl+avx512dq", "x86_64+avx2", "x86_64+avx");
-passes!(avx2: "x86_64+avx2");
-passes!(avx: "x86_64+avx");
-
-/// Sum over a block, in [`LANES`] interleaved parts.
-#[inline(always)]
-pub(super) fn sum(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; LANES];
-    for group in values.chunks_exact(LANES) {
-        for l in 0..LANES {
-            lanes[l] += group[l];
-        }
-    }
-    sum_lanes(lanes)
-}
-
-/// Largest of a block; at least zero.
-#[inline(always)]
-pub(super) fn max(values: &[f64]) -> f64 {
-    let mut lanes = [0.0; LANES];
-    for group in values.chunks_exact(LANES) {
-        for l in 0..LANES {
-            lanes[l] = if group[l] > lanes[l] { group[l] } else { lanes[l] };
-        }
-    }
-    lanes.into_iter().fold(0.0, f64::max)
 }

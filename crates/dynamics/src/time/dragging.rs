@@ -3,9 +3,9 @@
 //! Two loops with vectors, and one without between them for segments whose coefficient takes more than a square root: the
 //! few that are slow, and all of a screen. Positions and velocities are those that tensions see.
 
-use super::blocks::{Components, Nodes, Ropes, Vectors, sum, zeros};
 use crate::air::Air;
 use crate::forces::rope_drag::{Met, PLAIN, RopeDrag, plain_coefficient};
+use crate::lanes::{Components, sum, zeros};
 
 /// The air at one time.
 #[derive(Debug, Clone, Copy)]
@@ -83,9 +83,9 @@ impl Dragging {
         self.half_area[slot] = 0.0;
     }
 
-    /// The mean wind where segments are, if it is not the same everywhere.
-    fn find_wind(&mut self, nodes: &Nodes, air: &Air) {
-        let z = &nodes.x[2];
+    /// The mean wind where segments are, if it is not the same everywhere; `x` has the places of nodes, m.
+    pub fn find_wind(&mut self, x: &Components, air: &Air) {
+        let z = &x[2];
         if air.wind.mean.values.len() > 1 {
             for (i, mean) in self.mean.iter_mut().enumerate() {
                 *mean = air.wind.mean.at(0.5 * (z[i] + z[i + 1]));
@@ -93,35 +93,24 @@ impl Dragging {
         }
     }
 
-    /// The coefficients that vectors do not know, from Reynolds numbers: of slow segments, and all of a screen.
-    fn find_others(&mut self, reynolds: &[f64]) {
+    /// Whether the normal coefficient follows from the Reynolds number.
+    pub fn goes_by_reynolds(&self) -> bool {
+        self.rope.normal.is_none()
+    }
+
+    /// Sets every normal coefficient to the one that is given.
+    pub fn set_coefficient(&mut self) {
+        self.coefficient.fill(self.rope.coefficient(0.0));
+    }
+
+    /// Finds the coefficients that vectors do not know, from Reynolds numbers: of slow segments, and all of a screen.
+    pub fn find_others(&mut self) {
         let all = self.rope.in_screen();
-        for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(reynolds) {
+        for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(&self.each) {
             if all || reynolds < PLAIN {
                 *coefficient = self.rope.coefficient(reynolds);
             }
         }
-    }
-}
-
-impl Ropes {
-    /// The drag of all segments of the block.
-    pub fn drag(&mut self, nodes: &Nodes, vectors: Vectors, breeze: Breeze) {
-        let Some(dragging) = &mut self.dragging else { return };
-        dragging.find_wind(nodes, breeze.air);
-        match dragging.rope.normal {
-            Some(_) => {
-                dragging.coefficient.fill(dragging.rope.coefficient(0.0));
-                vectors.meet_wind(nodes, dragging, breeze);
-            }
-            None => {
-                vectors.meet_wind(nodes, dragging, breeze);
-                let reynolds = std::mem::take(&mut dragging.each);
-                dragging.find_others(&reynolds);
-                dragging.each = reynolds;
-            }
-        }
-        vectors.drag_segments(nodes, dragging, breeze);
     }
 }
 
@@ -133,13 +122,13 @@ fn relative((direction, mean, gust): ([f64; 3], f64, [f64; 3]), u: [f64; 3], v: 
 
 /// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
 #[inline(always)]
-pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
     let Dragging { rope, mean, density, coefficient, each, .. } = dragging;
     let per_viscosity = rope.diameter / air.medium.viscosity();
     let by_reynolds = rope.normal.is_none();
     let n = mean.len();
     let (mean, density, coefficient, reynolds) = (&mean[..n], &mut density[..n], &mut coefficient[..n], &mut each[..n]);
-    let ([x, y, z], [u, v, w]) = (&nodes.x, &nodes.w);
+    let ([x, y, z], [u, v, w]) = (x, w);
     let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
     let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
     let direction = air.wind.direction.to_array();
@@ -156,14 +145,14 @@ pub(super) fn meet_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gu
 
 /// Drag of every segment, and what it does on its way.
 #[inline(always)]
-pub(super) fn drag_pass(nodes: &Nodes, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
     let Dragging { rope, half_area, half, middle, mean, density, coefficient, each, .. } = dragging;
     let [hx, hy, hz] = half;
     let [mx, my, mz] = middle;
     let direction = air.wind.direction.to_array();
     drag_each(
-        [&nodes.x[0], &nodes.x[1], &nodes.x[2]],
-        [&nodes.w[0], &nodes.w[1], &nodes.w[2]],
+        [&x[0], &x[1], &x[2]],
+        [&w[0], &w[1], &w[2]],
         [half_area, mean, density, coefficient],
         (rope.tangential, direction, gust),
         [&mut hx[1..], &mut hy[1..], &mut hz[1..]],

@@ -1,9 +1,9 @@
 //! The pass over a block whose segments follow another law than the linear one: segment by segment, without vectors.
 
-use super::blocks::{Nodes, Ropes, max, sum};
-use crate::forces::law::Axial;
+use super::blocks::{Nodes, Ropes};
 use crate::forces::law::Memory;
 use crate::forces::rope_tension::friction_work;
+use crate::lanes::{max, sum};
 
 impl Ropes {
     /// Tensions and pulls of all segments of the block; `dt` is the step, s; `moved` whether one has passed since the forces
@@ -26,11 +26,5 @@ impl Ropes {
         }
         self.rope_work = sum(&self.each);
         self.max_tension = max(&self.tension);
-    }
-
-    /// The segment of a slot along itself.
-    pub fn axial(&self, slot: usize) -> Axial {
-        let (rest_length, stiffness, damping) = (self.rest_length[slot], self.stiffness[slot], self.damping[slot]);
-        Axial { rest_length, stiffness, damping }
     }
 }

@@ -4,17 +4,18 @@
 
 use glam::DVec3;
 
-use super::StepFactors;
-use super::attached::{Attached, Moving, Turning, started};
-use super::launching::Launching;
-use super::step::Team;
+use super::rope_forces::{drag_all, drag_at, lost_work, no_drag, pull_all, pull_at};
+use super::start::started;
+use crate::channel::{ByChannel, Channel};
+use crate::effects::Effects;
 use crate::forces::gravity;
-use crate::forces::law::{self, RopeState};
-use crate::forces::rope_drag;
 use crate::forces::rope_tension::Pull;
 use crate::layout::Address;
+use crate::moving::{Moving, Net, StepFactors, Turning};
+use crate::rope_state::RopeState;
 use crate::state::State;
 use crate::system::System;
+use crate::team::Team;
 
 /// A net in motion, in arrays by node and by segment.
 pub struct Readable<'a> {
@@ -28,13 +29,11 @@ pub struct Readable<'a> {
     pub extrapolated: Vec<DVec3>,
     /// What each segment did at the last forces, (segments,).
     pub pulls: Vec<Pull>,
-    /// Work lost inside ropes between the last two forces, J.
-    pub rope_work: f64,
+    /// Work between the last two forces, J, by the channel that it goes to.
+    pub work: ByChannel,
     /// Half the drag of each segment, N, and its middle, m, at the last forces; (segments,), or empty without air.
     drags: Vec<(DVec3, DVec3)>,
-    /// Work done on the air between the last two forces, J.
-    pub air_work: f64,
-    attached: Option<Attached<'a>>,
+    effects: Effects<'a>,
     /// All slots of each node, (nodes,).
     slots: Vec<Vec<Address>>,
     taken: u64,
@@ -51,39 +50,35 @@ impl<'a> Readable<'a> {
     pub fn new(system: &'a System, state: &State, dt: f64) -> Readable<'a> {
         let State { position, velocity, rotation } = started(system, state, dt);
         let factors = StepFactors::new(dt, system.environment().mass_damping);
-        let turning = rotation.iter().copied().map(Turning::starting).collect();
-        let ropes = RopeState::at_rest(system, &position);
         let mut net = Readable {
             system,
             factors,
-            position,
             extrapolated: velocity.clone(),
             velocity,
             pulls: vec![Pull::NONE; system.segments().len()],
-            rope_work: 0.0,
-            drags: rope_drag::none(system),
-            air_work: 0.0,
-            ropes,
+            work: ByChannel::default(),
+            drags: no_drag(system),
+            ropes: RopeState::at_rest(system, &position),
+            position,
             failing: Vec::new(),
             moved: false,
-            attached: Attached::new(system, factors, turning, Launching::starting(system), 0.0),
+            effects: Effects::new(system.parts(), factors),
             slots: system.layout().slots_by_node(),
             taken: 0,
         };
-        let (x, v) = (&net.position, &net.velocity);
-        let placed = |node: usize| Moving { x: x[node], v: v[node], w: v[node] };
-        net.attached.iter_mut().for_each(|attached| attached.place(placed));
+        net.effects.turn(rotation.iter().copied().map(Turning::starting).collect());
+        net.effects.placed(|node| moving(&net.position, &net.velocity, &net.velocity, node));
         let acceleration = net.accelerations();
         for node in (0..acceleration.len()).filter(|&n| is_free(system, n)) {
             for k in 0..3 {
                 net.velocity[node][k] = net.factors.before_start(net.velocity[node][k], acceleration[node][k]);
             }
         }
-        net.attached.iter_mut().for_each(|attached| attached.before_start(&rotation));
+        net.effects.before_start(&rotation);
         net
     }
 
-    /// One step: forces, kick, drift.
+    /// One step: forces, kick, drift, what is carried.
     pub fn step(&mut self) {
         let acceleration = self.accelerations();
         for node in (0..acceleration.len()).filter(|&n| is_free(self.system, n)) {
@@ -98,41 +93,46 @@ impl<'a> Readable<'a> {
         self.carry();
     }
 
-    /// The sum of all effects over the mass. Mass-proportional damping is in the factors of the step.
+    /// The sum of all forces over the mass. Mass-proportional damping is in the factors of the step.
     fn accelerations(&mut self) -> Vec<DVec3> {
-        let (system, before) = (self.system, self.pulls.clone());
+        // ropes: those that broke are gone; tension, drag, and which break now
+        self.pull_ropes();
+        // effects: forces by place and motion, what breaks with a segment, then forces that answer all others
+        self.act();
+        // all together, slot by slot, and weight
+        let mut force = self.effects.forces().force.clone();
+        self.add_ropes(&mut force);
+        for (force, &mass) in force.iter_mut().zip(self.system.mass()) {
+            *force += gravity::force(self.system.environment().gravity, mass);
+        }
+        self.moved = false;
+        force.iter().zip(self.system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
+    }
+
+    fn pull_ropes(&mut self) {
+        let (system, dt, before) = (self.system, self.factors.dt, self.pulls.clone());
         for segment in std::mem::take(&mut self.failing) {
             self.ropes.broken[segment] = self.moved;
         }
-        let (x, w, dt) = (&self.position, &self.extrapolated, self.factors.dt);
+        let (x, w) = (&self.position, &self.extrapolated);
         let elapsed = if self.moved { dt } else { 0.0 };
-        law::pull_all(system, x, w, dt, elapsed, &mut self.ropes, &mut self.pulls);
-        self.rope_work = law::lost_work(system, &before, &self.pulls);
-        let time = self.taken as f64 * dt;
-        self.air_work = rope_drag::drag_all(system, time, x, w, &self.ropes.broken, &mut self.drags);
+        pull_all(system, x, w, dt, elapsed, &mut self.ropes, &mut self.pulls);
+        self.work = ByChannel::default();
+        self.work[Channel::RopeDamping] = lost_work(system, &before, &self.pulls);
+        self.work[Channel::Air] = drag_all(system, self.time(), x, w, &self.ropes.broken, &mut self.drags);
         self.failing = failing(system, &self.ropes, &mut self.pulls);
+    }
 
-        let mut force = vec![DVec3::ZERO; x.len()];
-        if let Some(attached) = &mut self.attached {
-            let velocity = &mut self.velocity;
-            let moving = |node: usize| Moving { x: x[node], v: velocity[node], w: w[node] };
-            attached.act(&Team::default(), time, moving);
-            attached.part(self.failing.iter().copied());
-            let (pulls, drags) = (&self.pulls, &self.drags);
-            let pull_at = |at: &Address| law::force_at(system, pulls, *at) + rope_drag::force_at(system, drags, *at);
-            attached.couple(
-                |node, force| self.slots[node].iter().map(pull_at).fold(force, |force, pull| force + pull),
-                moving,
-            );
-            force.copy_from_slice(attached.force());
-            attached.let_go().iter().for_each(|&(node, before)| velocity[node] = before);
-            self.rope_work += attached.sums().bending_work;
-            self.air_work += attached.sums().air_work;
-        }
-        self.add_ropes(&mut force);
-        self.moved = false;
-        gravity::add_force(system.environment().gravity, system.mass(), &mut force);
-        force.iter().zip(system.mass()).map(|(f, m)| *f * (1.0 / m)).collect()
+    fn act(&mut self) {
+        let (time, team) = (self.time(), Team::default());
+        let Readable { system, position, velocity, extrapolated, slots, pulls, drags, .. } = self;
+        let net = Arrays { system, position, velocity, extrapolated, slots, pulls, drags };
+        self.effects.act(&team, time, &net);
+        self.effects.part(self.failing.iter().copied());
+        self.effects.couple(&team, time, &net);
+        let forces = self.effects.forces();
+        forces.released.iter().for_each(|&(node, before)| self.velocity[node] = before);
+        Channel::ALL.iter().for_each(|&channel| self.work[channel] += forces.work[channel]);
     }
 
     /// Adds tension and drag of segments to `force`, N, (nodes,), slot by slot in the layout's order; see
@@ -142,26 +142,52 @@ impl<'a> Readable<'a> {
         for (block, plan) in layout.blocks().iter().enumerate() {
             for (slot, content) in plan.slots.iter().enumerate() {
                 let (at, force) = (Address { block, slot }, &mut force[content.node]);
-                let pull = law::force_at(self.system, &self.pulls, at);
-                let drag = rope_drag::force_at(self.system, &self.drags, at);
+                let (pull, drag) = (pull_at(self.system, &self.pulls, at), drag_at(self.system, &self.drags, at));
                 // at home the drag goes with what came from elsewhere
-                *force = match at == layout.homes()[content.node] {
-                    true => (*force + drag) + pull,
-                    false => *force + (pull + drag),
-                };
+                let is_home = at == layout.homes()[content.node];
+                *force = if is_home { (*force + drag) + pull } else { *force + (pull + drag) };
             }
         }
     }
 
-    /// Bodies turn and take their ties along, driven nodes go on.
+    /// Bodies turn and take their ties along, driven nodes go on, launchers release.
     fn carry(&mut self) {
-        let Some(attached) = &mut self.attached else { return };
-        let (x, v, w) = (&mut self.position, &mut self.velocity, &mut self.extrapolated);
-        let time = self.taken as f64 * self.factors.dt;
-        for &(node, moving) in attached.carry(time, |node| Moving { x: x[node], v: v[node], w: w[node] }) {
+        let (time, (x, v, w)) = (self.time(), (&mut self.position, &mut self.velocity, &mut self.extrapolated));
+        for &(node, moving) in self.effects.moved(time, |node| moving(x, v, w, node)) {
             (x[node], v[node], w[node]) = (moving.x, moving.v, moving.w);
         }
     }
+
+    /// Time of the next forces, s.
+    fn time(&self) -> f64 {
+        self.taken as f64 * self.factors.dt
+    }
+}
+
+/// The net in arrays, as effects see it.
+struct Arrays<'s> {
+    system: &'s System,
+    position: &'s [DVec3],
+    velocity: &'s [DVec3],
+    extrapolated: &'s [DVec3],
+    slots: &'s [Vec<Address>],
+    pulls: &'s [Pull],
+    drags: &'s [(DVec3, DVec3)],
+}
+
+impl Net for Arrays<'_> {
+    fn node(&self, node: usize) -> Moving {
+        moving(self.position, self.velocity, self.extrapolated, node)
+    }
+
+    fn with_ropes(&self, node: usize, force: DVec3) -> DVec3 {
+        let of_slot = |at: &Address| pull_at(self.system, self.pulls, *at) + drag_at(self.system, self.drags, *at);
+        self.slots[node].iter().map(of_slot).fold(force, |force, of_slot| force + of_slot)
+    }
+}
+
+fn moving(position: &[DVec3], velocity: &[DVec3], extrapolated: &[DVec3], node: usize) -> Moving {
+    Moving { x: position[node], v: velocity[node], w: extrapolated[node] }
 }
 
 /// The segments that break under the tensions just computed.

@@ -1,8 +1,6 @@
 //! Segments of a block that break. A block that does not break pays one comparison a step.
 
-use super::blocks::Ropes;
 use crate::forces::breaking::Breaking;
-use crate::forces::law::Axial;
 
 /// What the segments of a block bear at most; no entries where none ever breaks.
 #[derive(Debug, Clone, Default)]
@@ -34,51 +32,25 @@ impl Strength {
         let length = each(|(rest_length, breaking)| breaking.length(*rest_length));
         Strength { least_load: least(&load), least_length: least(&length), load, length }
     }
-}
 
-fn least(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::INFINITY, f64::min)
-}
+    /// Whether none can break where the largest tension is this, N.
+    pub fn holds(&self, max_tension: f64) -> bool {
+        max_tension <= self.least_load && self.least_length == f64::INFINITY
+    }
 
-impl Ropes {
-    /// Lets go what broke at the forces before, unless these are the same again.
-    pub fn let_go(&mut self, moved: bool) {
-        for Failing { slot, .. } in std::mem::take(&mut self.failing) {
-            if moved {
-                self.remove(slot);
-            }
-        }
+    /// The slots whose segments break at these tensions, N, and lengths, m.
+    pub fn exceeded<'s>(&'s self, tension: &'s [f64], length: &'s [f64]) -> impl Iterator<Item = usize> + 's {
+        let breaks = |&slot: &usize| tension[slot] > self.load[slot] || length[slot] > self.length[slot];
+        (0..self.load.len()).filter(breaks)
     }
 
     /// The segment of this slot is no more.
     pub fn remove(&mut self, slot: usize) {
-        let Axial { rest_length, stiffness, damping } = Axial::GONE;
-        (self.rest_length[slot], self.stiffness[slot], self.damping[slot]) = (rest_length, stiffness, damping);
-        self.dragging.iter_mut().for_each(|dragging| dragging.remove(slot));
-        let Strength { load, length, least_load, least_length } = &mut self.strength;
-        (load[slot], length[slot]) = (f64::INFINITY, f64::INFINITY);
-        (*least_load, *least_length) = (least(load), least(length));
+        (self.load[slot], self.length[slot]) = (f64::INFINITY, f64::INFINITY);
+        (self.least_load, self.least_length) = (least(&self.load), least(&self.length));
     }
+}
 
-    /// Finds what breaks under the tensions just computed.
-    pub fn yield_to_loads(&mut self) {
-        let Strength { load, length, least_load, least_length } = &self.strength;
-        if self.max_tension <= *least_load && *least_length == f64::INFINITY {
-            return;
-        }
-        for slot in 0..load.len() {
-            if self.tension[slot] > load[slot] || self.length[slot] > length[slot] {
-                let (axial, memory) = (self.axial(slot), self.memory.get(slot).copied().unwrap_or_default());
-                let energy = self.law.elastic_energy(self.length[slot] - axial.rest_length, &axial, &memory);
-                self.failing.push(Failing { slot, tension: self.tension[slot], energy });
-                // nothing takes back what its last tension does
-                self.friction[slot] = self.tension[slot];
-            }
-        }
-    }
-
-    /// Whether the segment of this slot is gone.
-    pub fn is_gone(&self, slot: usize) -> bool {
-        self.rest_length[slot] == Axial::GONE.rest_length
-    }
+fn least(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
 }

@@ -1,22 +1,22 @@
 //! One step: forces, kick, drift. The fused form of [`crate::time::readable`], equal to it bit for bit.
 
-use std::sync::Arc;
-
 use glam::DVec3;
-use rayon::prelude::*;
 
-use super::StepFactors;
-use super::attached::{Attached, AttachedSums, Moving, Turning, carried_velocities, started};
-pub use super::blocks::Vectors;
 use super::blocks::{Nodes, Ropes, Told, blocks};
-use super::dragging::Breeze;
-use super::launching::Launching;
+use super::motion::Motion;
+use super::passes::Breeze;
+pub use super::passes::Vectors;
 use super::rupture::Failing;
-use crate::forces::law::RopeState;
+use super::start::started;
+use crate::channel::{ByChannel, Channel};
+use crate::effects::{self, EffectForces, Effects, Launching, carried_velocities};
+use crate::energy::Ledger;
 use crate::layout::Address;
-use crate::snapshot::Motion;
+use crate::moving::{Moving, Net, StepFactors, Turning};
+use crate::rope_state::RopeState;
 use crate::state::State;
 use crate::system::System;
+use crate::team::Team;
 
 /// Below so many slots a thread spends longer waiting than working, and one thread does all.
 pub const LEAST_SLOTS_FOR_THREADS: usize = 20_000;
@@ -38,52 +38,6 @@ impl Default for Engine {
     }
 }
 
-/// The threads that a net is advanced on.
-#[derive(Debug, Clone, Default)]
-pub struct Team(Option<Arc<rayon::ThreadPool>>);
-
-impl Team {
-    /// So many threads; the calling one alone where they cannot be had.
-    fn of(threads: usize) -> Team {
-        Team(rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok().map(Arc::new))
-    }
-
-    /// Does `work` on one of these threads. Steps taken there find the others awake, which makes them several times
-    /// cheaper to share.
-    pub fn lead<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
-        match &self.0 {
-            Some(pool) => pool.install(work),
-            None => work(),
-        }
-    }
-
-    /// Work over blocks. What it does to a block must not depend on the others' turn.
-    pub(super) fn for_each<A: Send, B: Send>(
-        &self,
-        one: &mut [A],
-        other: &mut [B],
-        work: impl Fn(usize, &mut A, &mut B) + Sync + Send,
-    ) {
-        match &self.0 {
-            Some(pool) => {
-                // one part a thread: blocks are alike, and every part costs a handshake
-                let share = one.len().div_ceil(pool.current_num_threads());
-                pool.install(|| {
-                    let parts = one.par_chunks_mut(share).zip(other.par_chunks_mut(share)).enumerate();
-                    parts.for_each(|(part, (one, other))| {
-                        let blocks = one.iter_mut().zip(other).enumerate();
-                        blocks.for_each(|(block, (one, other))| work(part * share + block, one, other));
-                    });
-                });
-            }
-            None => {
-                let blocks = one.iter_mut().zip(other).enumerate();
-                blocks.for_each(|(block, (one, other))| work(block, one, other));
-            }
-        }
-    }
-}
-
 /// A segment that breaks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Failure {
@@ -98,16 +52,12 @@ pub struct Failure {
 /// What a step adds up over the whole net.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StepSums {
-    /// Work lost inside ropes since the forces before, J.
-    pub rope_work: f64,
+    /// Work since the forces before, J, by the channel that it goes to; that of breaking segments apart.
+    pub work: ByChannel,
     /// Power lost to mass-proportional damping at the step before, W.
     pub mass_power: f64,
     /// Number of segments that break in this step; [`Stepper::failing`] says which.
     pub failing: usize,
-    /// Work done on the air since the forces before, J.
-    pub air_work: f64,
-    /// What the rest did that is attached.
-    pub attached: AttachedSums,
 }
 
 /// A net in motion.
@@ -119,9 +69,9 @@ pub struct Stepper<'a> {
     ropes: Vec<Ropes>,
     /// What the knots of each block tell their other slots.
     told: Vec<Vec<Told>>,
-    /// What there is beside ropes, if anything.
-    attached: Option<Attached<'a>>,
-    /// All slots of each node, (nodes,), where something is attached.
+    /// What acts beside ropes, if anything.
+    effects: Option<Effects<'a>>,
+    /// All slots of each node, (nodes,), where effects act.
     slots: Vec<Vec<Address>>,
     /// Steps taken.
     taken: u64,
@@ -140,8 +90,8 @@ impl<'a> Stepper<'a> {
 
     /// As [`Stepper::new`], on a chosen engine. The result is the same on any.
     pub fn on(engine: Engine, system: &'a System, state: &State, dt: f64) -> Stepper<'a> {
-        let turning = state.rotation.iter().copied().map(Turning::starting).collect();
-        let mut stepper = Stepper::empty(engine, system, dt, turning, Launching::starting(system), 0);
+        let mut stepper = Stepper::empty(engine, system, dt, 0);
+        stepper.turn(state.rotation.iter().copied().map(Turning::starting).collect());
         stepper.start(state);
         stepper
     }
@@ -150,8 +100,11 @@ impl<'a> Stepper<'a> {
     /// forces tell no work lost in ropes: they do not know the lengths before.
     pub fn resume(system: &'a System, motion: &Motion, dt: f64, threads: usize) -> Stepper<'a> {
         let engine = Engine { threads, ..Engine::default() };
-        let (turning, launching) = (motion.turning.clone(), motion.launching.clone());
-        let mut stepper = Stepper::empty(engine, system, dt, turning, launching, motion.step);
+        let mut stepper = Stepper::empty(engine, system, dt, motion.step);
+        stepper.turn(motion.turning.clone());
+        if let Some(effects) = &mut stepper.effects {
+            effects.remember(&motion.effects, motion.step == 0);
+        }
         stepper.put_all(&motion.position, &motion.half_step_velocity, &motion.extrapolated);
         stepper.put_ropes(&motion.ropes);
         stepper
@@ -160,7 +113,7 @@ impl<'a> Stepper<'a> {
     /// All that a step depends on: forces and tensions follow from it, and the rest never changes.
     pub fn motion(&self) -> Motion {
         // taken apart field by field, so that what is new cannot be forgotten here
-        let Stepper { system, nodes, attached, taken, .. } = self;
+        let Stepper { system, nodes, effects, taken, .. } = self;
         let Stepper { factors: _, gravity: _, ropes: _, told: _, slots: _, moved: _, team: _, vectors: _, .. } = self;
         // what breaks now pulls for the last time: it is told to be whole, and breaks again
         let mut ropes = self.ropes();
@@ -173,8 +126,8 @@ impl<'a> Stepper<'a> {
             position: of_each(|nodes, slot| nodes.x.each_ref().map(|x| x[slot])),
             half_step_velocity: of_each(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
             extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
-            turning: attached.as_ref().map_or(Vec::new(), |attached| attached.turning().to_vec()),
-            launching: self.launching(),
+            turning: effects.as_ref().map_or(Vec::new(), |effects| effects.turning().to_vec()),
+            effects: effects.as_ref().map_or(effects::Memory::default(), Effects::memory),
             step: *taken,
             ropes,
         }
@@ -198,19 +151,14 @@ impl<'a> Stepper<'a> {
     }
 
     /// A net whose nodes are nowhere yet.
-    fn empty(
-        engine: Engine,
-        system: &'a System,
-        dt: f64,
-        turning: Vec<Turning>,
-        launching: Launching,
-        taken: u64,
-    ) -> Stepper<'a> {
-        let (nodes, ropes) = blocks(system, &Attached::touched(system).collect::<Vec<_>>());
+    fn empty(engine: Engine, system: &'a System, dt: f64, taken: u64) -> Stepper<'a> {
+        let mut acted_on = vec![false; system.mass().len()];
+        effects::nodes(system.parts(), None, &mut |node| acted_on[node] = true);
+        let (nodes, ropes) = blocks(system, &acted_on);
         let Engine { threads, vectors, least_slots_for_threads } = engine;
         let worth_it = threads > 1 && system.layout().slot_count() >= least_slots_for_threads;
         let factors = StepFactors::new(dt, system.environment().mass_damping);
-        let attached = Attached::new(system, factors, turning, launching, taken as f64 * dt);
+        let effects = Some(Effects::new(system.parts(), factors)).filter(|effects| !effects.is_empty());
         Stepper {
             system,
             factors,
@@ -218,8 +166,8 @@ impl<'a> Stepper<'a> {
             told: nodes.iter().map(|block| vec![Told::default(); block.home_count()]).collect(),
             nodes,
             ropes,
-            slots: if attached.is_some() { system.layout().slots_by_node() } else { Vec::new() },
-            attached,
+            slots: if effects.is_some() { system.layout().slots_by_node() } else { Vec::new() },
+            effects,
             taken,
             moved: false,
             team: if worth_it { Team::of(threads) } else { Team::default() },
@@ -227,11 +175,16 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Bodies turn like this, (bodies,).
+    fn turn(&mut self, turning: Vec<Turning>) {
+        if let Some(effects) = &mut self.effects {
+            effects.turn(turning);
+        }
+    }
+
     /// Starts again from another state. The forces are then those of that state.
     pub fn restart(&mut self, state: &State) {
-        if let Some(attached) = &mut self.attached {
-            attached.restart(&state.rotation);
-        }
+        self.turn(state.rotation.iter().copied().map(Turning::starting).collect());
         self.start(state);
     }
 
@@ -249,8 +202,8 @@ impl<'a> Stepper<'a> {
                 self.put(home, position[node].into(), before, v.into());
             }
         }
-        if let Some(attached) = &mut self.attached {
-            attached.before_start(&rotation);
+        if let Some(effects) = &mut self.effects {
+            effects.before_start(&rotation);
         }
     }
 
@@ -263,8 +216,8 @@ impl<'a> Stepper<'a> {
             }
         }
         self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
-        if let Some(attached) = &mut self.attached {
-            attached.place(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
+        if let Some(effects) = &mut self.effects {
+            effects.placed(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
         }
     }
 
@@ -279,8 +232,8 @@ impl<'a> Stepper<'a> {
                 ropes.remove(slot);
             }
         }
-        if let Some(attached) = &mut self.attached {
-            attached.put_broken(&state.broken);
+        if let Some(effects) = &mut self.effects {
+            effects.put_broken(&state.broken);
         }
     }
 
@@ -298,13 +251,14 @@ impl<'a> Stepper<'a> {
         self.advance()
     }
 
-    /// The first part of [`Stepper::step`]: tensions and forces where the nodes are now, for who wants to look before
-    /// going on.
+    /// The first part of [`Stepper::step`]: tensions and forces where the nodes are now, so that a caller can inspect
+    /// forces before the kick.
     pub fn forces(&mut self) -> StepSums {
         self.pull();
-        let (ropes, attached) = (&self.ropes, self.attached.as_ref().map_or(&[][..], Attached::force));
+        let (ropes, of_effects) =
+            (&self.ropes, self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().force));
         self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, _| {
-            nodes.collect(ropes, attached, block);
+            nodes.collect(ropes, of_effects, block);
         });
         self.sums()
     }
@@ -312,9 +266,9 @@ impl<'a> Stepper<'a> {
     /// The second part of [`Stepper::step`].
     pub fn advance(&mut self) -> StepSums {
         let (factors, gravity, ropes, vectors) = (self.factors, self.gravity, &self.ropes, self.vectors);
-        let attached = self.attached.as_ref().map_or(&[][..], Attached::force);
+        let of_effects = self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().force);
         self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
-            nodes.collect(ropes, attached, block);
+            nodes.collect(ropes, of_effects, block);
             vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
             nodes.tell(told);
         });
@@ -324,6 +278,7 @@ impl<'a> Stepper<'a> {
         self.sums()
     }
 
+    /// Tension and drag of ropes, then what effects do.
     fn pull(&mut self) {
         let (dt, told, vectors, moved) = (self.factors.dt, &self.told, self.vectors, self.moved);
         let time = self.taken as f64 * dt;
@@ -333,42 +288,61 @@ impl<'a> Stepper<'a> {
             ropes.forces(nodes, vectors, dt, moved, breeze);
         });
         self.moved = false;
-        let Some(attached) = &mut self.attached else { return };
-        let (ropes, slots, homes, nodes) = (&self.ropes, &self.slots, self.system.layout().homes(), &self.nodes);
-        let moving = |node: usize| nodes[homes[node].block].moving(homes[node].slot);
-        attached.act(&self.team, time, moving);
-        attached.part(failing(ropes, self.system).map(|failure| failure.segment));
-        attached.couple(
-            |node, force| slots[node].iter().fold(force, |force, at| force + ropes[at.block].force_on(at.slot)),
-            moving,
-        );
-        for &(node, before) in attached.let_go() {
+        let Some(effects) = &mut self.effects else { return };
+        let homes = self.system.layout().homes();
+        let net = Blocks { nodes: &self.nodes, ropes: &self.ropes, slots: &self.slots, homes };
+        effects.act(&self.team, time, &net);
+        effects.part(failing(&self.ropes, self.system).map(|failure| failure.segment));
+        effects.couple(&self.team, time, &net);
+        for &(node, before) in &effects.forces().released {
             let Address { block, slot } = homes[node];
             self.nodes[block].v.iter_mut().zip(before.to_array()).for_each(|(v, before)| v[slot] = before);
         }
     }
 
-    /// Moves what is carried, and tells its other slots.
+    /// Moves what effects carry, and tells its other slots.
     fn carry(&mut self) {
-        let Some(attached) = &mut self.attached else { return };
+        let Some(effects) = &mut self.effects else { return };
         let (homes, nodes) = (self.system.layout().homes(), &mut self.nodes);
         let time = self.taken as f64 * self.factors.dt;
-        for &(node, moving) in attached.carry(time, |node| nodes[homes[node].block].moving(homes[node].slot)) {
+        for &(node, moving) in effects.moved(time, |node| nodes[homes[node].block].moving(homes[node].slot)) {
             nodes[homes[node].block].carry(homes[node].slot, moving, &mut self.told[homes[node].block]);
         }
     }
 
     fn sums(&self) -> StepSums {
         let squares: f64 = self.nodes.iter().map(|nodes| nodes.mass_velocity_squared).sum();
-        let attached = self.attached.as_ref().map_or(AttachedSums::default(), Attached::sums);
+        let mut work = ByChannel::default();
+        work[Channel::RopeDamping] = self.ropes.iter().map(|ropes| ropes.rope_work).sum();
         let dragging = self.ropes.iter().filter_map(|ropes| ropes.dragging.as_ref());
-        StepSums {
-            rope_work: self.ropes.iter().map(|ropes| ropes.rope_work).sum::<f64>() + attached.bending_work,
-            mass_power: self.system.environment().mass_damping * (squares + attached.turning),
-            failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
-            air_work: dragging.map(|drag| drag.work).sum::<f64>() + attached.air_work,
-            attached,
+        work[Channel::Air] = dragging.map(|drag| drag.work).sum();
+        let mut turning = 0.0;
+        if let Some(effects) = &self.effects {
+            Channel::ALL.iter().for_each(|&channel| work[channel] += effects.forces().work[channel]);
+            turning = effects.forces().turning;
         }
+        StepSums {
+            work,
+            mass_power: self.system.environment().mass_damping * (squares + turning),
+            failing: self.ropes.iter().map(|ropes| ropes.failing.len()).sum(),
+        }
+    }
+
+    /// What the state has stored at the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
+    pub(crate) fn stored(&self, state: &State) -> Ledger {
+        Ledger::of(self.system, state, &self.ropes(), self.effects.as_ref())
+    }
+
+    /// Keeps, from the next forces on, what the effects of these names do; [`effects::EFFECTS`] has the names.
+    pub fn watch(&mut self, names: &[&str]) {
+        if let Some(effects) = &mut self.effects {
+            effects.watch(names);
+        }
+    }
+
+    /// What an effect does to nodes and bodies at the last forces; none where it is not watched or there is none of it.
+    pub fn forces_of(&self, name: &str) -> Option<&EffectForces> {
+        self.effects.as_ref()?.watched(name)
     }
 
     /// From the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
@@ -396,7 +370,7 @@ impl<'a> Stepper<'a> {
 
     /// How the launch stands.
     pub fn launching(&self) -> Launching {
-        self.attached.as_ref().map_or(Launching::default(), |attached| attached.launching().clone())
+        self.effects.as_ref().map_or(Launching::default(), Effects::launching)
     }
 
     /// Position of a node, m.
@@ -419,8 +393,8 @@ impl<'a> Stepper<'a> {
         position.extend(nodes.clone().map(|node| self.position(node)));
         velocity.clear();
         velocity.extend(nodes.map(|node| self.velocity(node)));
-        *rotation = self.attached.as_ref().map_or(Vec::new(), Attached::rotations);
-        carried_velocities(system, rotation, position, velocity);
+        *rotation = self.effects.as_ref().map_or(Vec::new(), Effects::rotations);
+        carried_velocities(system.bodies(), rotation, position, velocity);
     }
 
     /// Where nodes were half a step before the step that was taken last, midway between two of their positions, and
@@ -432,7 +406,7 @@ impl<'a> Stepper<'a> {
             // w = 3/2 v - 1/2 u, u the half-step velocity before v
             *position = x - dt * (2.5 * v - w);
         }
-        state.rotation = self.attached.as_ref().map_or(Vec::new(), Attached::rotations);
+        state.rotation = self.effects.as_ref().map_or(Vec::new(), Effects::rotations);
     }
 
     /// Velocity of a node at its position, m/s, those of ties apart.
@@ -456,7 +430,7 @@ impl<'a> Stepper<'a> {
 
     /// The torque on each body at the last forces, N m, (bodies,).
     pub fn torques(&self) -> &[DVec3] {
-        self.attached.as_ref().map_or(&[], Attached::torques)
+        self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().torque)
     }
 
     /// Tension of a segment at the last forces, N.
@@ -480,6 +454,27 @@ impl<'a> Stepper<'a> {
                 *most = most.max(ropes.max_tension);
             }
         }
+    }
+}
+
+/// The net in blocks, as effects see it.
+struct Blocks<'s> {
+    nodes: &'s [Nodes],
+    ropes: &'s [Ropes],
+    slots: &'s [Vec<Address>],
+    homes: &'s [Address],
+}
+
+impl Net for Blocks<'_> {
+    #[inline]
+    fn node(&self, node: usize) -> Moving {
+        let Address { block, slot } = self.homes[node];
+        self.nodes[block].moving(slot)
+    }
+
+    #[inline]
+    fn with_ropes(&self, node: usize, force: DVec3) -> DVec3 {
+        self.slots[node].iter().fold(force, |force, at| force + self.ropes[at.block].force_on(at.slot))
     }
 }
 

@@ -62,13 +62,13 @@ pub use stowing::node_id;
 use glam::{DMat3, DQuat, DVec3};
 use netcast_dynamics::air::wind::Wind;
 use netcast_dynamics::body::Body;
+use netcast_dynamics::channel::Channel;
 use netcast_dynamics::energy::Ledger;
-use netcast_dynamics::forces::law::RopeState;
 use netcast_dynamics::forces::orbit::Orbit;
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Unsupported, unsupported};
+use netcast_dynamics::step_size::{StepLimit, step_limit};
 use netcast_dynamics::system::{Environment, Segment, System, SystemParts};
-use netcast_dynamics::time::step_size::{StepLimit, step_limit};
 use netcast_webs::{Audit, Bill, CutWeb};
 
 use crate::body::Solid;
@@ -242,8 +242,7 @@ impl Model {
         scenario.solve.step_fraction.get_or_insert(crate::quantity::Number::constant(chosen));
         stepping::affordable(document, &scenario, &limit, &cut, &materials.members)?;
         // the packing knows nothing of laws, nor of elements
-        let ropes = RopeState::at_rest(&system, &state.position);
-        let audit = Audit { stored_energy: Ledger::of(&system, &state, &ropes).elastic, ..audit };
+        let audit = Audit { stored_energy: Ledger::at_start(&system, &state)[Channel::Elastic], ..audit };
         if scenario.solve.statics.is_some() && system.environment().orbit.is_some() {
             let message = "beside an orbit no equilibrium is looked for";
             return Err(document.diagnostic("solve.static", message).with_help("leave it out").into());

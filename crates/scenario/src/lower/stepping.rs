@@ -1,7 +1,7 @@
 //! How large a step may be, what sets it, and whether a run of such steps will end.
 
+use netcast_dynamics::step_size::{StepLimit, Stiff};
 use netcast_dynamics::system::{Segment, System};
-use netcast_dynamics::time::step_size::{StepLimit, Stiff};
 use netcast_webs::{Class, CutWeb};
 
 use super::Model;
@@ -41,11 +41,14 @@ impl Model {
                 Class::Stitch => "stitches".to_owned(),
                 class => format!("{class} ropes"),
             },
-            Stiff::Bending(_) => "bending of ropes".to_owned(),
-            Stiff::Membrane(_) => "sheets".to_owned(),
-            Stiff::Hinge(_) => "bending of sheets".to_owned(),
-            Stiff::Ground => return Some("a longer environment.ground.contact_time".to_owned()),
-            Stiff::Air => return Some("heavier or thinner parts, a thinner medium, or less speed".to_owned()),
+            Stiff::Effect { name: "bending", .. } => "bending of ropes".to_owned(),
+            Stiff::Effect { name: "sheet", .. } => "sheets".to_owned(),
+            Stiff::Effect { name: "bending of a sheet", .. } => "bending of sheets".to_owned(),
+            Stiff::Effect { name: "ground", .. } => return Some("a longer environment.ground.contact_time".to_owned()),
+            Stiff::Effect { name: "drag", .. } => {
+                return Some("heavier or thinner parts, a thinner medium, or less speed".to_owned());
+            }
+            Stiff::Effect { name, .. } => name.to_owned(),
         };
         let times = |allowed: f64| format!("{:.1} times the step", allowed / dt);
         Some(if without_damping > NOTABLE * dt {
@@ -121,10 +124,9 @@ fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<Str
     let at = |what: &str| format!("{what} at {place}");
     Some(match limit.stiffest? {
         Stiff::Segment(segment) => members[segment].label(cut),
-        Stiff::Bending(_) => at("the bending of a rope"),
-        Stiff::Membrane(_) => at("a sheet"),
-        Stiff::Hinge(_) => at("the bending of a sheet"),
-        Stiff::Ground => at("the ground"),
-        Stiff::Air => at("the drag of the medium"),
+        Stiff::Effect { name: "bending", .. } => at("the bending of a rope"),
+        Stiff::Effect { name: "sheet", .. } => at("a sheet"),
+        Stiff::Effect { name: "drag", .. } => at("the drag of the medium"),
+        Stiff::Effect { name, .. } => at(&format!("the {name}")),
     })
 }

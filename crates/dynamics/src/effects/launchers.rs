@@ -13,10 +13,128 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::StepFactors;
-use super::attached::Moving;
-use crate::launcher::{Launcher, Means, Tube};
-use crate::system::System;
+use super::bound::Bound;
+use super::contract::{Effect, Forces, Net, Now};
+use crate::channel::Channel;
+use crate::forces::gravity;
+use crate::launcher::{Launcher, Means, Push, Tube};
+use crate::moving::{Moving, StepFactors};
+use crate::parts::{SystemError, SystemParts};
+
+/// Launchers in motion.
+#[derive(Debug, Clone)]
+pub(super) struct Launchers {
+    launching: Launching,
+    /// What each launcher does at the last forces.
+    thrusts: Vec<Thrust>,
+    /// The body whose centre each launcher has.
+    bodies: Vec<Option<usize>>,
+}
+
+impl Launchers {
+    /// How the launch stands.
+    pub fn launching(&self) -> &Launching {
+        &self.launching
+    }
+}
+
+impl Effect for Launchers {
+    const NAME: &'static str = "launcher";
+    const CHANNELS: &'static [Channel] = &[Channel::Launch];
+    type Memory = Launching;
+
+    fn of(parts: &SystemParts) -> Option<Self> {
+        if parts.launchers.is_empty() {
+            return None;
+        }
+        let body_at = |node: usize| parts.bodies.iter().position(|body| body.centre == node);
+        Some(Launchers {
+            launching: Launching::starting(&parts.launchers),
+            thrusts: vec![Thrust::default(); parts.launchers.len()],
+            bodies: parts.launchers.iter().map(|launcher| body_at(launcher.node)).collect(),
+        })
+    }
+
+    fn check(parts: &SystemParts) -> Result<(), SystemError> {
+        let nodes = parts.mass.len();
+        let mut taken = vec![false; nodes];
+        parts.bodies.iter().flat_map(|body| &body.ties).for_each(|tie| taken[tie.node] = true);
+        for (index, launcher) in parts.launchers.iter().enumerate() {
+            let node = launcher.node;
+            if node >= nodes || parts.held[node] || std::mem::replace(&mut taken[node], true) {
+                let why = "does not exist, is held, carried or launched twice";
+                return Err(SystemError::attached(Self::NAME, index, node, why));
+            }
+            if let Some(why) = launcher.fault() {
+                return Err(SystemError::attached(Self::NAME, index, node, why));
+            }
+        }
+        Ok(())
+    }
+
+    fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
+        parts.launchers.iter().for_each(|launcher| act_on(launcher.node));
+    }
+
+    /// A spring between the launcher and its node.
+    fn bound_carried(parts: &SystemParts, bound: &mut Bound) {
+        for launcher in &parts.launchers {
+            if let Means::Tube(Tube { push: Push::OverStroke(curve), .. }) = &launcher.by {
+                bound.stiffness[launcher.node] += 0.5 * curve.steepest();
+            }
+        }
+    }
+
+    fn couple<N: Net>(&mut self, now: &Now, net: &N, out: &mut Forces) {
+        let (parts, factors) = (now.parts, now.factors);
+        let mut work = 0.0;
+        let launchers = parts.launchers.iter().zip(&mut self.thrusts).zip(&self.bodies);
+        for (((launcher, last), body), launched) in launchers.zip(&self.launching.nodes) {
+            let (node, phase) = (launcher.node, launched.phase);
+            if phase == Phase::Free && last.force == DVec3::ZERO {
+                continue;
+            }
+            let mass = parts.mass[node];
+            let weight = gravity::force(parts.environment.gravity, mass);
+            let pulled = net.with_ropes(node, out.force[node]) + weight;
+            let thrust = thrust(launcher, phase, net.node(node), mass, pulled, now.time, factors);
+            work -= 0.5 * (last.force + thrust.force).dot(thrust.place - last.place);
+            out.force[node] += thrust.force;
+            *last = thrust;
+            if let (Phase::Leaving, Means::Velocity(velocity)) = (phase, &launcher.by) {
+                let before = |k| factors.before_start(velocity[k], pulled[k] / mass);
+                out.released.push((node, DVec3::from_array(std::array::from_fn(before))));
+                work -= 0.5 * mass * velocity.length_squared();
+            }
+            if let Some(body) = body.filter(|_| phase.is_guided()) {
+                out.torque[body] = DVec3::ZERO;
+            }
+        }
+        out.work[Channel::Launch] += work;
+    }
+
+    fn moved(&mut self, now: &Now, node: &dyn Fn(usize) -> Moving, out: &mut Forces) {
+        self.launching.advance(&now.parts.launchers, &self.thrusts, now, |released, velocity| {
+            out.carried.push((released, Moving { w: velocity, ..node(released) }));
+        });
+    }
+
+    fn memory(&self) -> Launching {
+        self.launching.clone()
+    }
+
+    fn remember(&mut self, memory: &Launching) {
+        self.launching = memory.clone();
+    }
+
+    fn remembered(memory: &Launching) -> usize {
+        memory.nodes.len()
+    }
+
+    fn to_remember(parts: &SystemParts) -> usize {
+        parts.launchers.len()
+    }
+}
 
 /// How a launch stands: all that its future depends on, and what has come of it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -60,7 +178,7 @@ pub struct Recoil {
 
 /// What a launcher does to its node at some forces.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Thrust {
+struct Thrust {
     /// All of it, N.
     pub force: DVec3,
     /// Of that, the push along the tube.
@@ -73,24 +191,23 @@ pub(super) struct Thrust {
 
 impl Launching {
     /// Before the first step.
-    pub fn starting(system: &System) -> Launching {
+    fn starting(launchers: &[Launcher]) -> Launching {
         let phase = |launcher: &Launcher| match (&launcher.by, launcher.at > 0.0) {
             (Means::Tube(_), false) => Phase::Guided,
             _ => Phase::Held,
         };
-        let nodes = system.launchers().iter().map(|launcher| Launched { phase: phase(launcher), left: None });
+        let nodes = launchers.iter().map(|launcher| Launched { phase: phase(launcher), left: None });
         Launching { nodes: nodes.collect(), recoil: Recoil::default() }
     }
 
-    /// After a step, at `time`, s, the first one of a run where `is_first`: who goes on. Calls `let_go` with each node
-    /// that leaves at a given velocity.
-    pub(super) fn advance(
+    /// After a step, whose end is [`Now::time`]: who goes on. Calls `release` with each node that leaves at a given
+    /// velocity.
+    fn advance(
         &mut self,
         launchers: &[Launcher],
         thrusts: &[Thrust],
-        factors: StepFactors,
-        (time, is_first): (f64, bool),
-        mut let_go: impl FnMut(usize, DVec3),
+        &Now { time, factors, is_first, .. }: &Now,
+        mut release: impl FnMut(usize, DVec3),
     ) {
         let before = time - factors.dt;
         let push: DVec3 = thrusts.iter().map(|thrust| thrust.push).sum();
@@ -108,7 +225,7 @@ impl Launching {
                     Means::Tube(_) => *phase = Phase::Guided,
                     Means::Velocity(velocity) => {
                         (*phase, *left) = (Phase::Leaving, Some((time, velocity.length())));
-                        let_go(launcher.node, *velocity);
+                        release(launcher.node, *velocity);
                     }
                 },
                 (Phase::Guided, _) => {
@@ -125,14 +242,14 @@ impl Launching {
 
 impl Phase {
     /// Whether a body keeps its attitude, whatever torque there is.
-    pub(super) fn is_guided(self) -> bool {
+    fn is_guided(self) -> bool {
         matches!(self, Phase::Held | Phase::Guided)
     }
 }
 
 /// What a launcher does to its node of `mass`, kg, that moves like this in this phase, where all other forces on it come
 /// to `pulled`, N, at `time`, s.
-pub(super) fn thrust(
+fn thrust(
     launcher: &Launcher,
     phase: Phase,
     node: Moving,

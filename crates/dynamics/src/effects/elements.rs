@@ -2,13 +2,15 @@
 
 use glam::DVec3;
 
-use super::step::Team;
 use crate::forces::element::{Element, Stress};
+use crate::parts::SystemError;
+use crate::team::Team;
 
 /// Below so many elements a thread spends longer waiting than working.
 const LEAST_FOR_THREADS: usize = 2_000;
 
 /// Elements of one kind.
+#[derive(Debug, Clone)]
 pub(super) struct Elements<const N: usize> {
     /// The nodes of each.
     nodes: Vec<[usize; N]>,
@@ -96,10 +98,25 @@ impl<const N: usize> Elements<N> {
     }
 }
 
-/// What elements have stored, J, with nodes at `position`, m, (nodes,).
-pub(crate) fn elastic_energy<'e, E: Element<N> + 'e, const N: usize>(
-    elements: impl IntoIterator<Item = &'e E>,
-    position: &[DVec3],
-) -> f64 {
-    elements.into_iter().map(|element| element.elastic_energy(element.nodes().map(|node| position[node]))).sum()
+impl<const N: usize> Elements<N> {
+    /// What those that are whole have stored, J, with nodes at `position`, m, (nodes,).
+    pub fn stored<E: Element<N>>(&self, elements: &[E], position: &[DVec3]) -> f64 {
+        let whole = |(index, _): &(usize, &E)| !self.gone[*index] && !self.leaving.contains(index);
+        let whole = elements.iter().enumerate().filter(whole);
+        whole.map(|(_, element)| element.elastic_energy(element.nodes().map(|node| position[node]))).sum()
+    }
+}
+
+/// Whether the nodes of all elements are nodes of the system.
+pub(super) fn check<E: Element<N>, const N: usize>(
+    name: &'static str,
+    elements: &[E],
+    nodes: usize,
+) -> Result<(), SystemError> {
+    for (index, element) in elements.iter().enumerate() {
+        if let Some(&node) = element.nodes().iter().find(|&&node| node >= nodes) {
+            return Err(SystemError::attached(name, index, node, "does not exist"));
+        }
+    }
+    Ok(())
 }

@@ -1,0 +1,148 @@
+//! What a system is made from, as data: nodes, segments, what acts on them, what surrounds them.
+
+use glam::DVec3;
+
+use crate::air::Air;
+use crate::body::Body;
+use crate::custom::CustomEffect;
+use crate::drive::Drive;
+use crate::forces::bending::Bending;
+use crate::forces::ground::Ground;
+use crate::forces::hinge::Hinge;
+use crate::forces::law::Law;
+use crate::forces::load::Load;
+use crate::forces::membrane::Membrane;
+use crate::forces::orbit::Orbit;
+use crate::forces::segment::Segment;
+use crate::launcher::Launcher;
+
+/// What surrounds the net.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Environment {
+    /// Acceleration of gravity, m/s^2, as a vector in the world frame.
+    pub gravity: DVec3,
+    /// Mass-proportional damping, 1/s: a force -damping * m * v on every node.
+    pub mass_damping: f64,
+    /// What drags at it, if anything.
+    pub air: Option<Air>,
+    /// What it can land on, if anything.
+    pub ground: Option<Ground>,
+    /// The orbit that it flies beside, if any.
+    pub orbit: Option<Orbit>,
+}
+
+/// What a [`System`](crate::system::System) is made from; [`SystemParts::build`] checks it.
+#[derive(Debug, Clone, Default)]
+pub struct SystemParts {
+    /// Mass of each node, kg; shape (nodes,). What a rigid body carries has none.
+    pub mass: Vec<f64>,
+    /// Whether a node stays where it is; shape (nodes,).
+    pub held: Vec<bool>,
+    /// Whether a node is a tractor, whose kinetic energy is kept apart from the web's; shape (nodes,).
+    pub tractor: Vec<bool>,
+    /// Segments; those of one rope in order, one after the other, so that they can be laid out as one run.
+    pub segments: Vec<Segment>,
+    /// The law of each link class, (classes,).
+    pub laws: Vec<Law>,
+    /// Where ropes resist bending.
+    pub bends: Vec<Bending>,
+    /// Triangles of sheets.
+    pub membranes: Vec<Membrane>,
+    /// Where sheets resist bending.
+    pub hinges: Vec<Hinge>,
+    /// Constant forces.
+    pub loads: Vec<Load>,
+    /// Rigid bodies.
+    pub bodies: Vec<Body>,
+    /// Nodes that are moved along paths; they are held as well. The centre of a body must be that of its mass.
+    pub drives: Vec<Drive>,
+    /// What holds nodes and throws them.
+    pub launchers: Vec<Launcher>,
+    /// Effects of the caller's own.
+    pub custom: Vec<Box<dyn CustomEffect>>,
+    /// What surrounds it.
+    pub environment: Environment,
+}
+
+/// Why a system cannot be simulated.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SystemError {
+    /// There is nothing to simulate.
+    #[error("the system has no nodes")]
+    Empty,
+    /// Arrays that describe the nodes differ in length.
+    #[error("{what} is given for {found} nodes, masses for {expected}")]
+    Shape {
+        /// Which array.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The number of nodes.
+        expected: usize,
+    },
+    /// A node that can move has no mass, or a mass that is not a number.
+    #[error("node {node} has a mass of {mass} kg; a node that is free to move needs a positive one")]
+    Mass {
+        /// Which node.
+        node: usize,
+        /// Its mass, kg.
+        mass: f64,
+    },
+    /// A segment joins a node to itself or to one that does not exist.
+    #[error("segment {segment} joins nodes {} and {}; there are {nodes} nodes", ends[0], ends[1])]
+    Ends {
+        /// Which segment.
+        segment: usize,
+        /// Its ends.
+        ends: [usize; 2],
+        /// The number of nodes.
+        nodes: usize,
+    },
+    /// A property of a segment is out of range.
+    #[error("segment {segment} has a {what} of {value}")]
+    Property {
+        /// Which segment.
+        segment: usize,
+        /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A parameter of a class's law is out of range.
+    #[error("the law of class {class} has a {what} of {value}")]
+    Law {
+        /// Which class.
+        class: usize,
+        /// Which parameter.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A load, a body, a drive or a launcher names a node that it cannot have.
+    #[error("{what} {index} has node {node}, which {why}")]
+    Attached {
+        /// What names it.
+        what: &'static str,
+        /// Which of them.
+        index: usize,
+        /// The node.
+        node: usize,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// Something that surrounds the net is out of range.
+    #[error("the environment's {what} is {value}")]
+    Environment {
+        /// Which property.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl SystemError {
+    /// Something names a node that it cannot have.
+    pub(crate) fn attached(what: &'static str, index: usize, node: usize, why: &'static str) -> SystemError {
+        SystemError::Attached { what, index, node, why }
+    }
+}
