@@ -20,6 +20,9 @@ pub trait CustomEffect: Debug + Send + Sync {
     fn nodes(&self) -> Vec<usize>;
 
     /// Adds its force on each node at `time`, s, to `force`, N, (nodes,). `net` tells where a node is and how it moves.
+    ///
+    /// It may be asked more than once at the same time and place: at a record, and where a run goes on. What it remembers
+    /// must then be the same as if it had been asked once.
     fn act(&mut self, time: f64, net: &dyn Net, force: &mut [DVec3]);
 
     /// A bound on how stiff it makes a node, N/m, and how much it damps one, N s/m: the largest change of its force

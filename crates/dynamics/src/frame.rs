@@ -20,7 +20,6 @@ pub struct Live<'s, 'a> {
 }
 
 /// The whole net at one time.
-#[derive(Debug)]
 pub struct Frame<'s> {
     /// Time, s.
     pub time: f64,
@@ -38,4 +37,6 @@ pub struct Frame<'s> {
     pub ledger: Ledger,
     /// What the balance misses since the start, J.
     pub residual: f64,
+    /// The net between its forces and its advance, for what is not in the fields above, such as the forces of one effect.
+    pub net: &'s Stepper<'s>,
 }

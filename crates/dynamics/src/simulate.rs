@@ -284,7 +284,7 @@ impl Record {
         let State { position, velocity, rotation } = &self.state;
         let tension = &self.tension;
         let residual = ledger.residual(balance.start());
-        let frame = Frame { time, step, position, velocity, rotation, tension, ledger, residual };
+        let frame = Frame { time, step, position, velocity, rotation, tension, ledger, residual, net };
         observer.record(&frame);
         self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
         true
