@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::contract::{Effect, Forces, Net, Now};
-use super::traced::Traced;
+use super::traced::TracedWork;
 use crate::channel::{ByChannel, Channel};
 use crate::forces::{added_mass, gravity};
 use crate::moving::Moving;
@@ -17,7 +17,7 @@ pub(super) struct AddedMass {
     /// The segments that break at the last forces.
     leaving: Vec<usize>,
     /// The force of the medium's inertia on each node, (nodes,).
-    inertia: Vec<Traced>,
+    inertia: Vec<TracedWork>,
 }
 
 /// A segment that meets others at a node: its other end, its number, and the mass that half of it takes along, kg.
@@ -35,7 +35,7 @@ impl Effect for AddedMass {
 
     fn of(parts: &SystemParts) -> Option<Self> {
         let arms = arms(parts)?;
-        Some(AddedMass { inertia: vec![Traced::default(); arms.len()], arms, leaving: Vec::new() })
+        Some(AddedMass { inertia: vec![TracedWork::default(); arms.len()], arms, leaving: Vec::new() })
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {

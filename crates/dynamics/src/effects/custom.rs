@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::bound::{Bound, Stiff};
 use super::contract::{Effect, Forces, Net, Now};
-use super::traced::Traced;
+use super::traced::TracedWork;
 use crate::channel::Channel;
 use crate::custom::CustomEffect;
 use crate::parts::{SystemError, SystemParts};
@@ -17,7 +17,7 @@ pub(super) struct Customs(Vec<Custom>);
 struct Custom {
     effect: Box<dyn CustomEffect>,
     /// The force on each of its nodes.
-    traced: Vec<(usize, Traced)>,
+    traced: Vec<(usize, TracedWork)>,
     /// Its force alone, N, (nodes,).
     force: Vec<DVec3>,
 }
@@ -29,7 +29,7 @@ impl Effect for Customs {
 
     fn of(parts: &SystemParts) -> Option<Self> {
         let start = |effect: &Box<dyn CustomEffect>| Custom {
-            traced: effect.nodes().into_iter().map(|node| (node, Traced::default())).collect(),
+            traced: effect.nodes().into_iter().map(|node| (node, TracedWork::default())).collect(),
             force: vec![DVec3::ZERO; parts.mass.len()],
             effect: effect.clone(),
         };

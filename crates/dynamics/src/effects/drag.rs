@@ -6,11 +6,11 @@ use glam::DVec3;
 use super::bound::Bound;
 use super::contract::{Effect, Forces, Net, Now, Resting, seen};
 use super::elements::Elements;
-use super::traced::Traced;
+use super::traced::TracedWork;
 use crate::air::wind::Series;
 use crate::air::{Air, Attitude};
 use crate::channel::Channel;
-use crate::forces::element::Stress;
+use crate::forces::element::ElementForces;
 use crate::forces::sheet_drag;
 use crate::parts::{SystemError, SystemParts};
 
@@ -19,7 +19,7 @@ use crate::parts::{SystemError, SystemParts};
 pub(super) struct Drag {
     sheets: Elements<3>,
     /// The drag of each body.
-    bodies: Vec<Traced>,
+    bodies: Vec<TracedWork>,
 }
 
 impl Effect for Drag {
@@ -30,7 +30,7 @@ impl Effect for Drag {
     fn of(parts: &SystemParts) -> Option<Self> {
         let air = parts.environment.air.as_ref().filter(|air| !(air.sheets.is_empty() && air.bodies.is_empty()))?;
         let sheets = Elements::new(air.sheets.iter().map(|sheet| sheet.nodes).collect());
-        Some(Drag { sheets, bodies: vec![Traced::default(); air.bodies.len()] })
+        Some(Drag { sheets, bodies: vec![TracedWork::default(); air.bodies.len()] })
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
@@ -91,7 +91,7 @@ impl Effect for Drag {
             let height = (x[0].z + x[1].z + x[2].z) / 3.0;
             let (wind, density) = (air.wind(height, gust), air.medium.density(height));
             let third = sheet_drag::force(x, w, wind, density, air.sheets[index].coefficient) / 3.0;
-            Stress { elastic: [DVec3::ZERO; 3], friction: [third; 3] }
+            ElementForces { elastic: [DVec3::ZERO; 3], dissipative: [third; 3] }
         };
         let mut work = self.sheets.pull(now.team, press, |node| now.seen[node], &mut out.force);
         for (body, traced) in air.bodies.iter().zip(&mut self.bodies) {

@@ -1,7 +1,7 @@
 //! Nodes that are led along paths. The law is [`crate::drive`].
 
 use super::contract::{Effect, Forces, Net, Now};
-use super::traced::Traced;
+use super::traced::TracedWork;
 use crate::channel::Channel;
 use crate::moving::Moving;
 use crate::parts::{SystemError, SystemParts};
@@ -10,7 +10,7 @@ use crate::parts::{SystemError, SystemParts};
 #[derive(Debug, Clone)]
 pub(super) struct Drives {
     /// What pulls at each driven node.
-    traced: Vec<Traced>,
+    traced: Vec<TracedWork>,
     /// How each of them moves.
     moving: Vec<Moving>,
 }
@@ -21,7 +21,7 @@ impl Effect for Drives {
     type Memory = ();
 
     fn of(parts: &SystemParts) -> Option<Self> {
-        let traced = || vec![Traced::default(); parts.drives.len()];
+        let traced = || vec![TracedWork::default(); parts.drives.len()];
         (!parts.drives.is_empty()).then(|| Drives { traced: traced(), moving: Vec::new() })
     }
 

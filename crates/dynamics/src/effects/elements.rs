@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::forces::element::{Element, Stress};
+use crate::forces::element::{Element, ElementForces};
 use crate::parts::SystemError;
 use crate::team::Team;
 
@@ -14,8 +14,8 @@ const LEAST_FOR_THREADS: usize = 2_000;
 pub(super) struct Elements<const N: usize> {
     /// The nodes of each.
     nodes: Vec<[usize; N]>,
-    /// What each did at the last forces.
-    did: Vec<Did<N>>,
+    /// What each last at the last forces.
+    last: Vec<LastForces<N>>,
     /// Work that each has lost since the forces before, J.
     work: Vec<f64>,
     /// Those that pull for the last time at the last forces.
@@ -24,19 +24,19 @@ pub(super) struct Elements<const N: usize> {
     gone: Vec<bool>,
 }
 
-/// What an element did, and where its nodes were.
+/// What an element last, and where its nodes were.
 #[derive(Debug, Clone, Copy)]
-struct Did<const N: usize> {
+struct LastForces<const N: usize> {
     place: [DVec3; N],
-    stress: Stress<N>,
+    forces: ElementForces<N>,
 }
 
 impl<const N: usize> Elements<N> {
     /// Elements between these nodes.
     pub fn new(nodes: Vec<[usize; N]>) -> Self {
-        let did = vec![Did { place: [DVec3::ZERO; N], stress: Stress::NONE }; nodes.len()];
+        let last = vec![LastForces { place: [DVec3::ZERO; N], forces: ElementForces::NONE }; nodes.len()];
         let (work, gone) = (vec![0.0; nodes.len()], vec![false; nodes.len()]);
-        Elements { nodes, did, work, leaving: Vec::new(), gone }
+        Elements { nodes, last, work, leaving: Vec::new(), gone }
     }
 
     /// Takes out an element.
@@ -51,9 +51,9 @@ impl<const N: usize> Elements<N> {
             return None;
         }
         self.leaving.push(index);
-        let Did { place, stress } = &mut self.did[index];
+        let LastForces { place, forces } = &mut self.last[index];
         for k in 0..N {
-            stress.friction[k] += stress.elastic[k];
+            forces.dissipative[k] += forces.elastic[k];
         }
         Some(*place)
     }
@@ -63,13 +63,13 @@ impl<const N: usize> Elements<N> {
         self.leaving.drain(..).for_each(|index| self.gone[index] = true);
     }
 
-    /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their friction since the forces
-    /// before, J: force times way, by the trapezoidal rule, as for ropes. `stress` tells what an element does whose nodes
+    /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their dissipative forces since the forces
+    /// before, J: force times way, by the trapezoidal rule, as for ropes. `forces` tells what an element does whose nodes
     /// are somewhere and move; `at` where a node is and how it moves.
     pub fn pull(
         &mut self,
         team: &Team,
-        stress: impl Fn(usize, [DVec3; N], [DVec3; N]) -> Stress<N> + Sync,
+        forces: impl Fn(usize, [DVec3; N], [DVec3; N]) -> ElementForces<N> + Sync,
         at: impl Fn(usize) -> (DVec3, DVec3) + Sync,
         force: &mut [DVec3],
     ) -> f64 {
@@ -78,20 +78,20 @@ impl<const N: usize> Elements<N> {
         let (nodes, gone) = (&self.nodes, &self.gone);
         let alone = Team::default();
         let team = if nodes.len() < LEAST_FOR_THREADS { &alone } else { team };
-        team.for_each(&mut self.did, &mut self.work, |index, did, work| {
+        team.for_each(&mut self.last, &mut self.work, |index, last, work| {
             let nodes = nodes[index].map(&at);
             let place = nodes.map(|(x, _)| x);
-            let stress = if gone[index] { Stress::NONE } else { stress(index, place, nodes.map(|(_, w)| w)) };
+            let forces = if gone[index] { ElementForces::NONE } else { forces(index, place, nodes.map(|(_, w)| w)) };
             *work = 0.0;
             for k in 0..N {
-                let mean = 0.5 * (did.stress.friction[k] + stress.friction[k]);
-                *work -= mean.dot(place[k] - did.place[k]);
+                let mean = 0.5 * (last.forces.dissipative[k] + forces.dissipative[k]);
+                *work -= mean.dot(place[k] - last.place[k]);
             }
-            *did = Did { place, stress };
+            *last = LastForces { place, forces };
         });
-        for (nodes, did) in nodes.iter().zip(&self.did) {
+        for (nodes, last) in nodes.iter().zip(&self.last) {
             for (k, &node) in nodes.iter().enumerate() {
-                force[node] += did.stress.elastic[k] + did.stress.friction[k];
+                force[node] += last.forces.elastic[k] + last.forces.dissipative[k];
             }
         }
         self.work.iter().sum()

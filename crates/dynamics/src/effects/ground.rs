@@ -170,15 +170,15 @@ impl Effect for Hulls {
             let (x, w) = seen(net.node(body.centre));
             let (place, velocity) = hull.moving(body, &rotation, x, w);
             let push = ground.push(&hull.spring, place, velocity, now.factors.dt);
-            let ([elastic], [friction]) = (push.elastic, push.friction);
-            let force = elastic + friction;
+            let ([elastic], [dissipative]) = (push.elastic, push.dissipative);
+            let force = elastic + dissipative;
             if force != DVec3::ZERO {
                 out.force[body.centre] += force;
                 out.torque[hull.body] += (place - x).cross(force);
             }
             let placed = Placed { centre: x, orientation: rotation.orientation };
-            let before = std::mem::replace(last, (friction, placed));
-            work -= 0.5 * (before.0 + friction).dot(placed.way(&before.1, hull));
+            let before = std::mem::replace(last, (dissipative, placed));
+            work -= 0.5 * (before.0 + dissipative).dot(placed.way(&before.1, hull));
         }
         out.work[Channel::GroundFriction] += work;
     }

@@ -1,7 +1,7 @@
 //! Forces given on nodes. The law is [`crate::forces::load`].
 
 use super::contract::{Effect, Forces, Net, Now, Resting};
-use super::traced::Traced;
+use super::traced::TracedWork;
 use crate::channel::{ByChannel, Channel};
 use crate::parts::{SystemError, SystemParts};
 use crate::state::State;
@@ -9,7 +9,7 @@ use crate::state::State;
 /// Loads in motion: each load that is brought up in time is followed for its work.
 #[derive(Debug, Clone)]
 pub(super) struct Loads {
-    traced: Vec<Traced>,
+    traced: Vec<TracedWork>,
 }
 
 impl Effect for Loads {
@@ -18,7 +18,7 @@ impl Effect for Loads {
     type Memory = ();
 
     fn of(parts: &SystemParts) -> Option<Self> {
-        (!parts.loads.is_empty()).then(|| Loads { traced: vec![Traced::default(); parts.loads.len()] })
+        (!parts.loads.is_empty()).then(|| Loads { traced: vec![TracedWork::default(); parts.loads.len()] })
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {

@@ -4,15 +4,15 @@ use glam::DVec3;
 
 /// A force and where it acted at the last forces; zero before the first.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Traced {
+pub(super) struct TracedWork {
     force: DVec3,
     place: DVec3,
 }
 
-impl Traced {
+impl TracedWork {
     /// The work, J, between the forces before and these, `force`, N, at `place`, m: force times way, trapezoidal rule.
     pub fn work(&mut self, force: DVec3, place: DVec3) -> f64 {
-        let before = std::mem::replace(self, Traced { force, place });
+        let before = std::mem::replace(self, TracedWork { force, place });
         0.5 * (before.force + force).dot(place - before.place)
     }
 

@@ -13,7 +13,7 @@
 //!
 //! Derivation, bound and tests: docs/theory/bending.md.
 
-use super::element::{Element, ElementError, Stress, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, distinct, not_negative, positive};
 use super::fold::{FLOOR, Fold};
 use glam::DVec3;
 
@@ -75,9 +75,9 @@ impl Element<3> for Bending {
         self.nodes
     }
 
-    fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> Stress<3> {
-        let (elastic, friction) = self.fold.pull(segments(position), segments(velocity));
-        Stress { elastic: on_nodes(elastic), friction: on_nodes(friction) }
+    fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> ElementForces<3> {
+        let (elastic, dissipative) = self.fold.pull(segments(position), segments(velocity));
+        ElementForces { elastic: on_nodes(elastic), dissipative: on_nodes(dissipative) }
     }
 
     fn elastic_energy(&self, position: [DVec3; 3]) -> f64 {
@@ -133,8 +133,8 @@ mod tests {
         let most = 10.0 * BENDING_STIFFNESS;
         for (lengths, angle) in [([0.0, 0.0], 0.0), ([1.0, 0.0], 0.0), ([1.0, 1.0], std::f64::consts::PI)] {
             let (bend, x) = even(lengths, angle);
-            let stress = bend.pull(x, w);
-            for force in stress.elastic.iter().chain(&stress.friction) {
+            let forces = bend.pull(x, w);
+            for force in forces.elastic.iter().chain(&forces.dissipative) {
                 assert!(force.is_finite() && force.length() < most);
             }
         }

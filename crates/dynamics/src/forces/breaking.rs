@@ -6,7 +6,7 @@
 //!
 //! The tension T of the step in which this first holds still acts, damping and all; from the next step on the segment is
 //! gone, and its nodes fly on. So the load is exceeded by no more than what the tension gains in one step. The elastic energy
-//! that it held then goes to the channel `rupture`; what its last tension does until the next step is friction, and goes
+//! that it held then goes to the channel `rupture`; what its last tension does until the next step is dissipative, and goes
 //! to `rope_damping`. docs/theory/breaking.md.
 //!
 //! A brittle break of the whole cross-section: no yarn goes before the others, and neither how long nor how often a load is borne

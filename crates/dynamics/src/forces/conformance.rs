@@ -1,4 +1,4 @@
-//! What every element must pass, whatever it models: its elastic force is the exact gradient of its energy, its friction
+//! What every element must pass, whatever it models: its elastic force is the exact gradient of its energy, its dissipative force
 //! takes energy and does not resist rigid motion, and its bounds hold.
 
 use glam::DVec3;
@@ -44,23 +44,27 @@ pub fn force_is_the_gradient<const N: usize>(
     }
 }
 
-/// No net force, no net moment; friction takes energy and leaves rigid motion alone.
+/// No net force, no net moment; the dissipative part takes energy and leaves rigid motion alone.
 pub fn forces_are_internal<const N: usize>(element: &impl Element<N>, x: [DVec3; N], w: [DVec3; N]) {
-    let stress = element.pull(x, w);
-    for forces in [stress.elastic, stress.friction] {
-        let size: f64 = forces.iter().map(|f| f.length()).sum();
+    let forces = element.pull(x, w);
+    for part in [forces.elastic, forces.dissipative] {
+        let size: f64 = part.iter().map(|f| f.length()).sum();
         let reach = x.iter().map(|x| x.length()).fold(0.0, f64::max);
-        assert!(total(forces).length() <= 1e-12 * size);
-        assert!(moment(x, forces).length() <= 1e-12 * size * reach);
+        assert!(total(part).length() <= 1e-12 * size);
+        assert!(moment(x, part).length() <= 1e-12 * size * reach);
     }
-    let most: f64 = stress.friction.iter().zip(w).map(|(f, w)| f.length() * w.length()).sum();
-    assert!(work(stress.friction, w) <= 1e-12 * most, "friction does {} W", work(stress.friction, w));
+    let most: f64 = forces.dissipative.iter().zip(w).map(|(f, w)| f.length() * w.length()).sum();
+    assert!(
+        work(forces.dissipative, w) <= 1e-12 * most,
+        "the dissipative force does {} W",
+        work(forces.dissipative, w)
+    );
 
     let (shift, spin) = (DVec3::new(3.0, -1.0, 2.0), DVec3::new(0.7, 1.9, -1.3));
     let rigid = element.pull(x, x.map(|x| shift + spin.cross(x)));
     let speed = w.iter().map(|w| w.length()).sum::<f64>() / shift.length();
-    let usual: f64 = stress.friction.iter().map(|f| f.length()).sum::<f64>() / speed.max(1e-300);
-    let left: f64 = rigid.friction.iter().map(|f| f.length()).sum();
+    let usual: f64 = forces.dissipative.iter().map(|f| f.length()).sum::<f64>() / speed.max(1e-300);
+    let left: f64 = rigid.dissipative.iter().map(|f| f.length()).sum();
     let coefficient: f64 = element.damping().iter().sum();
     assert!(left <= 1e-11 * (usual + coefficient * shift.length()), "{left} N against rigid motion");
 }
@@ -77,7 +81,7 @@ pub fn turns_with_its_nodes<const N: usize>(element: &impl Element<N>, x: [DVec3
     for i in 0..N {
         let damped: f64 = element.damping().iter().sum();
         assert!((turn * here.elastic[i]).distance(there.elastic[i]) <= 1e-12 * scale);
-        assert!((turn * here.friction[i]).distance(there.friction[i]) <= 1e-11 * damped * w[i].length().max(1.0));
+        assert!((turn * here.dissipative[i]).distance(there.dissipative[i]) <= 1e-11 * damped * w[i].length().max(1.0));
     }
 }
 
@@ -100,7 +104,7 @@ pub fn used_damping_bound<const N: usize>(element: &impl Element<N>, x: [DVec3; 
     largest(element.damping(), |i, axis| {
         let mut w = [DVec3::ZERO; N];
         w[i][axis] = 1.0;
-        element.pull(x, w).friction.map(|f| -f)
+        element.pull(x, w).dissipative.map(|f| -f)
     })
 }
 

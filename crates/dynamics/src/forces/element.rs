@@ -7,16 +7,16 @@ use glam::DVec3;
 
 /// What an element does to its nodes at one instant, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stress<const N: usize> {
+pub struct ElementForces<const N: usize> {
     /// The part that derives from its elastic energy.
     pub elastic: [DVec3; N],
     /// The rest, whose work is lost.
-    pub friction: [DVec3; N],
+    pub dissipative: [DVec3; N],
 }
 
-impl<const N: usize> Stress<N> {
+impl<const N: usize> ElementForces<N> {
     /// None at all.
-    pub const NONE: Stress<N> = Stress { elastic: [DVec3::ZERO; N], friction: [DVec3::ZERO; N] };
+    pub const NONE: ElementForces<N> = ElementForces { elastic: [DVec3::ZERO; N], dissipative: [DVec3::ZERO; N] };
 }
 
 /// An element between `N` nodes.
@@ -25,7 +25,7 @@ pub trait Element<const N: usize>: Sync {
     fn nodes(&self) -> [usize; N];
 
     /// What it does to its nodes, which are at `x`, m, and move at `w`, m/s.
-    fn pull(&self, x: [DVec3; N], w: [DVec3; N]) -> Stress<N>;
+    fn pull(&self, x: [DVec3; N], w: [DVec3; N]) -> ElementForces<N>;
 
     /// What it has stored, J, with its nodes at `x`, m.
     fn elastic_energy(&self, x: [DVec3; N]) -> f64;

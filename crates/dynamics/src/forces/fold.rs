@@ -81,7 +81,7 @@ impl Fold {
         0.5 * self.stiffness * (b.t - a.t).length_squared()
     }
 
-    /// Minus the slope of the energy against the vectors, and the friction at their `rate`: (elastic, friction), N m
+    /// Minus the slope of the energy against the vectors, and the dissipative at their `rate`: (elastic, dissipative), N m
     /// per unit of the vectors.
     pub fn pull(&self, v: [DVec3; 2], rate: [DVec3; 2]) -> ([DVec3; 2], [DVec3; 2]) {
         let [a, b] = self.directions(v);
@@ -94,7 +94,7 @@ impl Fold {
         }
         // K time (gap . gap') / |gap|^2 along the elastic force
         let opening = slope[1].dot(rate[1]) - slope[0].dot(rate[0]);
-        let friction = self.damping_time * self.stiffness * opening / squared;
-        (elastic, [friction * slope[0], -friction * slope[1]])
+        let dissipative = self.damping_time * self.stiffness * opening / squared;
+        (elastic, [dissipative * slope[0], -dissipative * slope[1]])
     }
 }

@@ -22,7 +22,7 @@
 
 use glam::DVec3;
 
-use super::element::Stress;
+use super::element::ElementForces;
 use super::rope_tension::ramp;
 use crate::body::{Body, Rotation};
 
@@ -105,10 +105,10 @@ fn damping_ratio(asked: f64) -> f64 {
 
 impl Ground {
     /// What it does to a point at `x`, m, that moves at `v`, m/s, in steps of `dt`, s: its spring's force, N, and the rest.
-    pub fn push(&self, spring: &Spring, x: DVec3, v: DVec3, dt: f64) -> Stress<1> {
+    pub fn push(&self, spring: &Spring, x: DVec3, v: DVec3, dt: f64) -> ElementForces<1> {
         let depth = self.height - x.z;
         if depth <= 0.0 {
-            return Stress::NONE;
+            return ElementForces::NONE;
         }
         let elastic = spring.stiffness * ramp(depth, (v.z * dt).abs());
         let normal = (elastic - spring.damping * v.z).max(0.0);
@@ -116,7 +116,7 @@ impl Ground {
         let speed = sliding.length();
         let rubbing = (self.friction * normal).min(0.5 * spring.mass * speed / dt);
         let along = if speed > 0.0 { sliding * (rubbing / speed) } else { DVec3::ZERO };
-        Stress { elastic: [DVec3::Z * elastic], friction: [DVec3::Z * (normal - elastic) - along] }
+        ElementForces { elastic: [DVec3::Z * elastic], dissipative: [DVec3::Z * (normal - elastic) - along] }
     }
 
     /// What it has stored in the spring of a point at `x`, m, in J.
@@ -184,8 +184,8 @@ mod tests {
         let spring = Spring { stiffness: 1e4, damping: 50.0, mass: 1.0 };
         let ground = Ground { height: 0.0, friction: 0.4, nodes: Vec::new(), hulls: Vec::new() };
         let total = |z: f64, v: DVec3| {
-            let stress = ground.push(&spring, DVec3::Z * z, v, 1e-5);
-            stress.elastic[0] + stress.friction[0]
+            let forces = ground.push(&spring, DVec3::Z * z, v, 1e-5);
+            forces.elastic[0] + forces.dissipative[0]
         };
         assert_eq!(total(1e-3, -5.0 * DVec3::Z), DVec3::ZERO);
         assert!((total(-0.01, DVec3::ZERO) - 100.0 * DVec3::Z).length() < 1e-12);

@@ -14,7 +14,7 @@
 //! that of a Poisson ratio of -1/3 whatever the material's: it matters only where edges are free. On other meshes the
 //! rigidity depends on direction. Derivation, bound and tests: docs/theory/plate.md.
 
-use super::element::{Element, ElementError, Stress, checked, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, checked, distinct, not_negative, positive};
 use super::fold::Fold;
 use glam::{DVec2, DVec3};
 
@@ -97,9 +97,9 @@ impl Element<4> for Hinge {
         self.nodes
     }
 
-    fn pull(&self, position: [DVec3; 4], velocity: [DVec3; 4]) -> Stress<4> {
-        let (elastic, friction) = self.fold.pull(normals(position), rates(position, velocity));
-        Stress { elastic: on_nodes(position, elastic), friction: on_nodes(position, friction) }
+    fn pull(&self, position: [DVec3; 4], velocity: [DVec3; 4]) -> ElementForces<4> {
+        let (elastic, dissipative) = self.fold.pull(normals(position), rates(position, velocity));
+        ElementForces { elastic: on_nodes(position, elastic), dissipative: on_nodes(position, dissipative) }
     }
 
     fn elastic_energy(&self, position: [DVec3; 4]) -> f64 {
@@ -162,8 +162,8 @@ mod tests {
         let (hinge, flat) = equilateral(1.0);
         let most = 10.0 * RIGIDITY;
         for x in [[DVec3::ZERO; 4], [flat[0], flat[0], flat[2], flat[3]], [flat[0], flat[1], flat[0], flat[3]]] {
-            let stress = hinge.pull(x, flat);
-            for force in stress.elastic.iter().chain(&stress.friction) {
+            let forces = hinge.pull(x, flat);
+            for force in forces.elastic.iter().chain(&forces.dissipative) {
                 assert!(force.is_finite() && force.length() < most);
             }
         }

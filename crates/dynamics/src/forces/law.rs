@@ -14,6 +14,7 @@
 use std::sync::Arc;
 
 use super::bilinear::Bilinear;
+pub use super::memory::Memory;
 use super::rope_tension::{self, Along, Pull};
 use super::segment::Segment;
 use super::strut;
@@ -35,9 +36,6 @@ pub enum Law {
     /// Pulls and pushes.
     Strut,
 }
-
-/// What a segment remembers of its past beyond where its nodes are; what the numbers are is its law's affair.
-pub type Memory = [f64; 2];
 
 /// A segment along itself.
 #[derive(Debug, Clone, Copy, PartialEq)]

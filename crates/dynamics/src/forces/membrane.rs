@@ -15,7 +15,7 @@
 //! Valid for strains as small as [`super::tension_field`] asks. The bound for the step is for stretches up to
 //! [`LARGEST_STRETCH`]. Derivation, bound and tests: docs/theory/membrane.md.
 
-use super::element::{Element, ElementError, Stress, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, distinct, not_negative, positive};
 use super::tension_field::{Elasticity, Tautness, TensionField};
 use glam::{DVec2, DVec3};
 
@@ -48,7 +48,7 @@ pub struct Membrane {
     stiffness: [f64; 3],
 }
 
-/// Stress of a triangle.
+/// ElementForces of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetStress {
     /// What the sheet does.
@@ -100,7 +100,7 @@ impl Membrane {
         Ok(Self { nodes, slopes, volume, law, damping_time: fabric.damping_time, stiffness })
     }
 
-    /// Stress at `position`, m.
+    /// ElementForces at `position`, m.
     pub fn stress(&self, position: [DVec3; 3]) -> SheetStress {
         let (tautness, stress) = self.law.stress(self.strain(self.gradient(position)));
         SheetStress { tautness, components: self.law.tensor(stress) }
@@ -154,18 +154,18 @@ impl Element<3> for Membrane {
         self.nodes
     }
 
-    fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> Stress<3> {
+    fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> ElementForces<3> {
         let [f, g] = self.gradient(position);
         let strain = self.strain([f, g]);
         let response = self.law.stress(strain);
         let elastic = self.forces([f, g], response.1);
         if self.damping_time == 0.0 {
-            return Stress { elastic, friction: [DVec3::ZERO; 3] };
+            return ElementForces { elastic, dissipative: [DVec3::ZERO; 3] };
         }
         let [f_rate, g_rate] = self.gradient(velocity);
         let rate = self.law.components(f.dot(f_rate), g.dot(g_rate), f.dot(g_rate) + g.dot(f_rate));
         let viscous = self.damping_time * self.law.stress_rate(strain, response, rate);
-        Stress { elastic, friction: self.forces([f, g], viscous) }
+        ElementForces { elastic, dissipative: self.forces([f, g], viscous) }
     }
 
     fn elastic_energy(&self, position: [DVec3; 3]) -> f64 {

@@ -1,6 +1,7 @@
-//! The physics, one effect a file. A file holds the law, its force on the nodes, its power or energy.
+//! The laws, one a file: force, energy, stiffness of one segment, element, node or body. They loop over nothing and know no
+//! system; what goes through a net is in [`crate::effects`] and [`crate::time`].
 //!
-//! | effect | file | energy channel |
+//! | law | file | energy channel |
 //! |---|---|---|
 //! | tension of ropes, with their internal damping | [`rope_tension`] | elastic, rope_damping |
 //! | bending of ropes | [`bending`] | elastic, rope_damping |
@@ -18,10 +19,10 @@
 //! | forces given on nodes | [`load`] | load |
 //! | ground: contact and friction | [`ground`] | ground, ground_friction |
 //! | an orbit | [`orbit`] | orbit |
-//! | launchers: holding, guiding, pushing | [`crate::launcher`], [`crate::time::launching`] | launch |
+//! | launchers: holding, guiding, pushing | [`crate::launcher`], `effects/launchers.rs` | launch |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
-//! What joins a few nodes beside ropes is an [`element`]. The ledger ([`crate::energy::Ledger`]) has a field for each channel.
+//! What joins a few nodes beside ropes is an [`element`]. Channels are those of [`crate::channel`].
 
 pub mod added_mass;
 pub mod bending;
@@ -39,6 +40,7 @@ pub mod law;
 pub mod load;
 pub mod mass_damping;
 pub mod membrane;
+pub mod memory;
 pub mod orbit;
 pub mod rope_drag;
 pub mod rope_tension;

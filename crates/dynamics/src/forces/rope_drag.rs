@@ -85,7 +85,7 @@ pub(crate) fn plain_coefficient(reynolds: f64) -> f64 {
 
 /// The wind as a segment meets it, m/s: its parts across the segment and along it, and how fast they are.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Met {
+pub(crate) struct RelativeFlow {
     normal: [f64; 3],
     pub across: f64,
     tangential: [f64; 3],
@@ -95,16 +95,21 @@ pub(crate) struct Met {
 /// Keeps a division finite where two nodes coincide; all wind is across such a segment.
 const LEAST_LENGTH_SQUARED: f64 = 1e-200;
 
-impl Met {
+impl RelativeFlow {
     /// By a segment that spans `span`, m, in a wind of `relative` to it, m/s.
     #[inline(always)]
-    pub fn new(span: [f64; 3], relative: [f64; 3]) -> Met {
+    pub fn new(span: [f64; 3], relative: [f64; 3]) -> RelativeFlow {
         let square = dot(span, span);
         let bounded = if square > LEAST_LENGTH_SQUARED { square } else { LEAST_LENGTH_SQUARED };
         let share = dot(relative, span) / bounded;
         let tangential = [share * span[0], share * span[1], share * span[2]];
         let normal = [relative[0] - tangential[0], relative[1] - tangential[1], relative[2] - tangential[2]];
-        Met { normal, across: dot(normal, normal).sqrt(), tangential, along: dot(tangential, tangential).sqrt() }
+        RelativeFlow {
+            normal,
+            across: dot(normal, normal).sqrt(),
+            tangential,
+            along: dot(tangential, tangential).sqrt(),
+        }
     }
 
     /// Force, N, on an area d L0 such that 1/2 rho d L0 = `per_pressure`, kg/m.
@@ -157,7 +162,7 @@ impl RopeDrag {
         density: f64,
         viscosity: f64,
     ) -> DVec3 {
-        let met = Met::new(span.into(), relative.into());
+        let met = RelativeFlow::new(span.into(), relative.into());
         let coefficient = self.coefficient(density * met.across * (self.diameter / viscosity));
         met.force(coefficient, self.tangential, density * self.half_area(rest_length)).into()
     }

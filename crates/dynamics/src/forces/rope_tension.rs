@@ -35,14 +35,14 @@ pub struct Pull {
     /// Length, m.
     pub length: f64,
     /// The part of the tension that is not the law's own, N: damping, and what the lower bound of zero takes away.
-    pub friction: f64,
+    pub dissipative: f64,
     /// Work that the law itself has lost since the forces before, J: a dashpot's.
     pub lost: f64,
 }
 
 impl Pull {
     /// Before there were any forces.
-    pub const NONE: Pull = Pull { tension: 0.0, force: [0.0; 3], length: 0.0, friction: 0.0, lost: 0.0 };
+    pub const NONE: Pull = Pull { tension: 0.0, force: [0.0; 3], length: 0.0, dissipative: 0.0, lost: 0.0 };
 }
 
 /// Keeps 1/L finite where two nodes coincide; such a segment is slack and its direction is of no account.
@@ -90,7 +90,7 @@ impl Along {
     pub fn with(&self, tension: f64, elastic: f64) -> Pull {
         let along = tension * self.per_length;
         let force = [self.span[0] * along, self.span[1] * along, self.span[2] * along];
-        Pull { tension, force, length: self.length, friction: tension - elastic, lost: 0.0 }
+        Pull { tension, force, length: self.length, dissipative: tension - elastic, lost: 0.0 }
     }
 }
 
@@ -117,7 +117,7 @@ pub fn elastic_energy(stretch: f64, stiffness: f64) -> f64 {
     if stretch > 0.0 { 0.5 * stiffness * stretch * stretch } else { 0.0 }
 }
 
-/// c = EA t / L0: internal friction of a material with damping time `time`, s. With it the damping of a rope does not
+/// c = EA t / L0: internal damping of a material with damping time `time`, s. With it the damping of a rope does not
 /// depend on how it is cut.
 pub fn damping_from_time(axial_stiffness: f64, time: f64, rest_length: f64) -> f64 {
     axial_stiffness * time / rest_length
@@ -129,11 +129,11 @@ pub fn damping_from_ratio(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
 }
 
-/// Work of friction between an earlier length and friction, and those of `now`, J: the trapezoidal rule over the way
+/// Work of dissipative between an earlier length and dissipative, and those of `now`, J: the trapezoidal rule over the way
 /// itself.
 #[inline(always)]
-pub(crate) fn friction_work(length: f64, friction: f64, now: &Pull) -> f64 {
-    0.5 * (friction + now.friction) * (now.length - length)
+pub(crate) fn dissipative_work(length: f64, dissipative: f64, now: &Pull) -> f64 {
+    0.5 * (dissipative + now.dissipative) * (now.length - length)
 }
 
 #[cfg(test)]
@@ -147,20 +147,20 @@ mod tests {
 
     #[test]
     fn a_taut_segment_pulls_with_spring_and_damper() {
-        // 2.5 m long, 0.1 m stretched, stretching at 3 m/s: T = 100 * 0.1 + 2 * 3 = 16 N, of which 6 N are friction
+        // 2.5 m long, 0.1 m stretched, stretching at 3 m/s: T = 100 * 0.1 + 2 * 3 = 16 N, of which 6 N are dissipative
         let p = along_y(2.5, 3.0, 2.4, 100.0, 2.0, 1e-3);
-        assert!((p.tension - 16.0).abs() < 1e-12 && (p.friction - 6.0).abs() < 1e-12);
+        assert!((p.tension - 16.0).abs() < 1e-12 && (p.dissipative - 6.0).abs() < 1e-12);
         assert!((p.force[1] - 16.0).abs() < 1e-12 && p.force[0] == 0.0);
     }
 
     #[test]
     fn it_never_pushes() {
         let slack = along_y(1.0, 50.0, 1.001, 1e6, 1e3, 1e-6);
-        assert_eq!((slack.tension, slack.friction), (0.0, 0.0));
-        // taut but shortening fast: no force, and the spring's 1000 N are friction
+        assert_eq!((slack.tension, slack.dissipative), (0.0, 0.0));
+        // taut but shortening fast: no force, and the spring's 1000 N are dissipative
         let closing = along_y(1.0, -50.0, 0.999, 1e6, 1e3, 1e-6);
         assert_eq!(closing.tension, 0.0);
-        assert!((closing.friction + 1000.0).abs() < 1e-6);
+        assert!((closing.dissipative + 1000.0).abs() < 1e-6);
     }
 
     #[test]

@@ -26,7 +26,7 @@
 //! At a row the slope jumps, and within a step of it the trapezoidal work of the scheme would be wrong by that kink: each row
 //! is a ramp that begins there, and gets the correction that [`rope_tension`](super::rope_tension) gives the ramp at 0.
 
-use super::law::Memory;
+use super::memory::Memory;
 use super::rope_tension::ramp;
 
 /// A law read from a table.

@@ -27,7 +27,7 @@
 //! and the loss is (q + q+)/2 (v+ - v), which closes the balance to rounding while the rope is taut. Where it tautens, its
 //! spring k + k1 gets the correction of [`rope_tension`](super::rope_tension).
 
-use super::law::Memory;
+use super::memory::Memory;
 use super::rope_tension::{Along, Pull, ramp};
 
 /// The parameters of the law.

@@ -52,9 +52,9 @@ pub(super) struct Ropes {
     /// zero.
     pub pull: Components,
     pub tension: Vec<f64>,
-    /// Length and friction of each segment at the pass before.
+    /// Length and dissipative force of each segment at the pass before.
     pub length: Vec<f64>,
-    pub friction: Vec<f64>,
+    pub dissipative: Vec<f64>,
     /// Scratch: one term a slot of what is summed.
     pub each: Vec<f64>,
     pub rest_length: Vec<f64>,
@@ -69,7 +69,7 @@ pub(super) struct Ropes {
 }
 
 /// Position and extrapolated velocity of a knot, as its other slots get it.
-pub(super) type Told = [f64; 6];
+pub(super) type KnotState = [f64; 6];
 
 /// What a block exchanges with others and within itself, knot by knot.
 #[derive(Debug, Clone, Default)]
@@ -115,7 +115,7 @@ impl Nodes {
     }
 
     /// Brings what knots were told into the slots that are not their home.
-    pub fn hear(&mut self, told: &[Vec<Told>]) {
+    pub fn receive_knots(&mut self, told: &[Vec<KnotState>]) {
         let n = self.x[0].len();
         let [x, y, z] = &mut self.x;
         let [u, v, w] = &mut self.w;
@@ -127,7 +127,7 @@ impl Nodes {
     }
 
     /// Tells the values of the knots that have their home here.
-    pub fn tell(&self, told: &mut [Told]) {
+    pub fn send_knots(&self, told: &mut [KnotState]) {
         let n = self.x[0].len();
         let ([x, y, z], [u, v, w]) = (&self.x, &self.w);
         let (x, y, z, u, v, w) = (&x[..n], &y[..n], &z[..n], &u[..n], &v[..n], &w[..n]);
@@ -187,7 +187,7 @@ impl Nodes {
     }
 
     /// Puts the node that has its home in `slot` somewhere else, and tells its other slots.
-    pub fn carry(&mut self, slot: usize, moving: Moving, told: &mut [Told]) {
+    pub fn carry(&mut self, slot: usize, moving: Moving, told: &mut [KnotState]) {
         let Moving { x, v, w } = moving;
         for k in 0..3 {
             (self.x[k][slot], self.v[k][slot], self.w[k][slot]) = (x[k], v[k], w[k]);
@@ -226,7 +226,7 @@ impl Ropes {
             pull: zeros(padded),
             tension: vec![0.0; filled],
             length: vec![0.0; filled],
-            friction: vec![0.0; filled],
+            dissipative: vec![0.0; filled],
             each: vec![0.0; filled],
             dragging: air.and_then(|air| {
                 let rope = air.ropes.get(plan.class).copied().flatten()?;
@@ -275,7 +275,7 @@ impl Ropes {
             let energy = self.law.elastic_energy(self.length[slot] - axial.rest_length, &axial, &memory);
             self.failing.push(Failing { slot, tension: self.tension[slot], energy });
             // nothing takes back what its last tension does
-            self.friction[slot] = self.tension[slot];
+            self.dissipative[slot] = self.tension[slot];
         }
     }
 

@@ -4,21 +4,21 @@
 //! few that are slow, and all of a screen. Positions and velocities are those that tensions see.
 
 use crate::air::Air;
-use crate::forces::rope_drag::{Met, PLAIN, RopeDrag, plain_coefficient};
+use crate::forces::rope_drag::{PLAIN, RelativeFlow, RopeDrag, plain_coefficient};
 use crate::lanes::{Components, sum, zeros};
 
 /// The air at one time.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Breeze<'a> {
+pub(super) struct AirNow<'a> {
     pub air: &'a Air,
     /// What is added to the mean wind now, m/s.
     pub gust: [f64; 3],
 }
 
-impl<'a> Breeze<'a> {
+impl<'a> AirNow<'a> {
     /// The air at `time`, s.
-    pub fn at(air: &'a Air, time: f64) -> Breeze<'a> {
-        Breeze { air, gust: air.wind.fluctuation.at(time).into() }
+    pub fn at(air: &'a Air, time: f64) -> AirNow<'a> {
+        AirNow { air, gust: air.wind.fluctuation.at(time).into() }
     }
 }
 
@@ -122,7 +122,7 @@ fn relative((direction, mean, gust): ([f64; 3], f64, [f64; 3]), u: [f64; 3], v: 
 
 /// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
 #[inline(always)]
-pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
     let Dragging { rope, mean, density, coefficient, each, .. } = dragging;
     let per_viscosity = rope.diameter / air.medium.viscosity();
     let by_reynolds = rope.normal.is_none();
@@ -137,7 +137,7 @@ pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging,
         if by_reynolds {
             let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
             let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
-            reynolds[i] = density[i] * Met::new(span, relative).across * per_viscosity;
+            reynolds[i] = density[i] * RelativeFlow::new(span, relative).across * per_viscosity;
             coefficient[i] = plain_coefficient(reynolds[i]);
         }
     }
@@ -145,7 +145,7 @@ pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging,
 
 /// Drag of every segment, and what it does on its way.
 #[inline(always)]
-pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, Breeze { air, gust }: Breeze) {
+pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
     let Dragging { rope, half_area, half, middle, mean, density, coefficient, each, .. } = dragging;
     let [hx, hy, hz] = half;
     let [mx, my, mz] = middle;
@@ -182,7 +182,7 @@ fn drag_each(
     for i in 0..n {
         let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
         let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
-        let half = Met::new(span, relative).force(coefficient[i], tangential, density[i] * half_area[i]);
+        let half = RelativeFlow::new(span, relative).force(coefficient[i], tangential, density[i] * half_area[i]);
         let middle = [0.5 * (x0[i] + x1[i]), 0.5 * (y0[i] + y1[i]), 0.5 * (z0[i] + z1[i])];
         work[i] = -((hx[i] + half[0]) * (middle[0] - mx[i])
             + (hy[i] + half[1]) * (middle[1] - my[i])

@@ -13,9 +13,9 @@
 //! internal damping. The velocity *at* n is the mean of its two neighbours. (Hairer, Lubich, Wanner, Geometric
 //! Numerical Integration, 2006, section I.1.4; Verlet 1967.)
 
+mod any_law;
 mod blocks;
 mod dragging;
-mod lawful;
 pub mod motion;
 mod passes;
 pub mod readable;

@@ -5,7 +5,7 @@
 //! whatever the width, and multiplications and additions are never contracted.
 
 use super::blocks::{Nodes, Ropes};
-pub(super) use super::dragging::Breeze;
+pub(super) use super::dragging::AirNow;
 use super::dragging::{Dragging, drag_pass, meet_pass};
 use crate::forces::law::Law;
 use crate::forces::rope_tension;
@@ -15,7 +15,7 @@ use crate::moving::StepFactors;
 impl Ropes {
     /// Tensions, pulls and drag of all segments, `dt` being the step, s; `moved`, whether one has passed since the
     /// forces before.
-    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, breeze: Option<Breeze>) {
+    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, breeze: Option<AirNow>) {
         self.let_go(moved);
         if let Some(breeze) = breeze {
             self.drag(nodes, vectors, breeze);
@@ -28,7 +28,7 @@ impl Ropes {
     }
 
     /// The drag of all segments of the block.
-    fn drag(&mut self, nodes: &Nodes, vectors: Vectors, breeze: Breeze) {
+    fn drag(&mut self, nodes: &Nodes, vectors: Vectors, breeze: AirNow) {
         let Some(dragging) = &mut self.dragging else { return };
         dragging.find_wind(&nodes.x, breeze.air);
         if dragging.goes_by_reynolds() {
@@ -46,7 +46,7 @@ impl Ropes {
 #[inline(always)]
 fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
     let Nodes { x, w, .. } = nodes;
-    let Ropes { pull, tension, length, friction, each, rest_length, stiffness, damping, .. } = ropes;
+    let Ropes { pull, tension, length, dissipative, each, rest_length, stiffness, damping, .. } = ropes;
     let [px, py, pz] = pull;
     pull_each(
         [&x[0], &x[1], &x[2]],
@@ -57,7 +57,7 @@ fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
         &mut pz[1..],
         tension,
         length,
-        friction,
+        dissipative,
         each,
         dt,
     );
@@ -78,7 +78,7 @@ fn pull_each(
     pz: &mut [f64],
     tension: &mut [f64],
     length: &mut [f64],
-    friction: &mut [f64],
+    dissipative: &mut [f64],
     work: &mut [f64],
     dt: f64,
 ) {
@@ -88,13 +88,13 @@ fn pull_each(
     let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
     let (rest_length, stiffness, damping) = (&rest_length[..n], &stiffness[..n], &damping[..n]);
     let (px, py, pz) = (&mut px[..n], &mut py[..n], &mut pz[..n]);
-    let (length, friction, work) = (&mut length[..n], &mut friction[..n], &mut work[..n]);
+    let (length, dissipative, work) = (&mut length[..n], &mut dissipative[..n], &mut work[..n]);
     for i in 0..n {
         let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
         let rate = [u1[i] - u0[i], v1[i] - v0[i], w1[i] - w0[i]];
         let p = rope_tension::pull(span, rate, rest_length[i], stiffness[i], damping[i], dt);
-        work[i] = rope_tension::friction_work(length[i], friction[i], &p);
-        (tension[i], length[i], friction[i]) = (p.tension, p.length, p.friction);
+        work[i] = rope_tension::dissipative_work(length[i], dissipative[i], &p);
+        (tension[i], length[i], dissipative[i]) = (p.tension, p.length, p.dissipative);
         (px[i], py[i], pz[i]) = (p.force[0], p.force[1], p.force[2]);
     }
 }
@@ -202,7 +202,7 @@ impl Vectors {
     }
 
     /// What the segments of a block meet of the wind.
-    fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+    fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
         match self {
             Vectors::Widest => widest::meet_wind(nodes, dragging, breeze),
             Vectors::Avx2 => avx2::meet_wind(nodes, dragging, breeze),
@@ -212,7 +212,7 @@ impl Vectors {
     }
 
     /// Drag of all segments of a block.
-    fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+    fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
         match self {
             Vectors::Widest => widest::drag_segments(nodes, dragging, breeze),
             Vectors::Avx2 => avx2::drag_segments(nodes, dragging, breeze),
@@ -238,7 +238,7 @@ macro_rules! passes {
         mod $module {
             use multiversion::multiversion;
 
-            use super::{Breeze, Dragging, Nodes, Ropes, StepFactors};
+            use super::{AirNow, Dragging, Nodes, Ropes, StepFactors};
 
             #[multiversion(targets($($target),*))]
             pub fn pull_segments(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
@@ -246,12 +246,12 @@ macro_rules! passes {
             }
 
             #[multiversion(targets($($target),*))]
-            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
                 super::meet_pass(&nodes.x, &nodes.w, dragging, breeze);
             }
 
             #[multiversion(targets($($target),*))]
-            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, breeze: Breeze) {
+            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
                 super::drag_pass(&nodes.x, &nodes.w, dragging, breeze);
             }
 

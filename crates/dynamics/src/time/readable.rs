@@ -197,7 +197,7 @@ fn failing(system: &System, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize>
         if !ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
             failing.push(index);
             // nothing takes back what its last tension does
-            pull.friction = pull.tension;
+            pull.dissipative = pull.tension;
         }
     }
     failing

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::forces::rope_tension::{Pull, friction_work};
+use crate::forces::rope_tension::{Pull, dissipative_work};
 use crate::lanes::{LANES, sum_lanes};
 use crate::layout::Address;
 use crate::rope_state::RopeState;
@@ -42,15 +42,15 @@ pub(super) fn pull_at(system: &System, pulls: &[Pull], at: Address) -> DVec3 {
     pull(at.slot) - at.slot.checked_sub(1).map_or(DVec3::ZERO, pull)
 }
 
-/// Work lost in each block as its segments go from one length and friction to the next, J.
+/// Work lost in each block as its segments go from one length and dissipative force to the next, J.
 pub(super) fn lost_work(system: &System, before: &[Pull], after: &[Pull]) -> f64 {
     let mut sum = 0.0;
     for block in system.layout().blocks() {
         let mut lanes = [0.0; LANES];
         for (i, slot) in block.slots.iter().enumerate() {
             if let Some(index) = slot.segment {
-                let Pull { length, friction, .. } = before[index];
-                lanes[i % LANES] += friction_work(length, friction, &after[index]) + after[index].lost;
+                let Pull { length, dissipative, .. } = before[index];
+                lanes[i % LANES] += dissipative_work(length, dissipative, &after[index]) + after[index].lost;
             }
         }
         sum += sum_lanes(lanes);

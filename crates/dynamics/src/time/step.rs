@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::blocks::{Nodes, Ropes, Told, blocks};
+use super::blocks::{KnotState, Nodes, Ropes, blocks};
 use super::motion::Motion;
-use super::passes::Breeze;
+use super::passes::AirNow;
 pub use super::passes::Vectors;
 use super::rupture::Failing;
 use super::start::started;
@@ -68,7 +68,7 @@ pub struct Stepper<'a> {
     nodes: Vec<Nodes>,
     ropes: Vec<Ropes>,
     /// What the knots of each block tell their other slots.
-    told: Vec<Vec<Told>>,
+    told: Vec<Vec<KnotState>>,
     /// What acts beside ropes, if anything.
     effects: Option<Effects<'a>>,
     /// All slots of each node, (nodes,), where effects act.
@@ -163,7 +163,7 @@ impl<'a> Stepper<'a> {
             system,
             factors,
             gravity: system.environment().gravity.into(),
-            told: nodes.iter().map(|block| vec![Told::default(); block.home_count()]).collect(),
+            told: nodes.iter().map(|block| vec![KnotState::default(); block.home_count()]).collect(),
             nodes,
             ropes,
             slots: if effects.is_some() { system.layout().slots_by_node() } else { Vec::new() },
@@ -215,7 +215,7 @@ impl<'a> Stepper<'a> {
                 self.put(Address { block, slot }, at(position), at(half_step_velocity), at(extrapolated));
             }
         }
-        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.tell(told));
+        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.send_knots(told));
         if let Some(effects) = &mut self.effects {
             effects.placed(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
         }
@@ -270,7 +270,7 @@ impl<'a> Stepper<'a> {
         self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
             nodes.collect(ropes, of_effects, block);
             vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
-            nodes.tell(told);
+            nodes.send_knots(told);
         });
         self.taken += 1;
         self.carry();
@@ -282,9 +282,9 @@ impl<'a> Stepper<'a> {
     fn pull(&mut self) {
         let (dt, told, vectors, moved) = (self.factors.dt, &self.told, self.vectors, self.moved);
         let time = self.taken as f64 * dt;
-        let breeze = self.system.environment().air.as_ref().map(|air| Breeze::at(air, time));
+        let breeze = self.system.environment().air.as_ref().map(|air| AirNow::at(air, time));
         self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
-            nodes.hear(told);
+            nodes.receive_knots(told);
             ropes.forces(nodes, vectors, dt, moved, breeze);
         });
         self.moved = false;

@@ -2,7 +2,7 @@
 
 use super::blocks::{Nodes, Ropes};
 use crate::forces::law::Memory;
-use crate::forces::rope_tension::friction_work;
+use crate::forces::rope_tension::dissipative_work;
 use crate::lanes::{max, sum};
 
 impl Ropes {
@@ -18,8 +18,8 @@ impl Ropes {
             let axial = self.axial(i);
             let memory = self.memory.get_mut(i).unwrap_or(&mut nothing);
             let p = self.law.pull(span, rate, axial, memory, dt, &decay);
-            self.each[i] = friction_work(self.length[i], self.friction[i], &p) + p.lost;
-            (self.tension[i], self.length[i], self.friction[i]) = (p.tension, p.length, p.friction);
+            self.each[i] = dissipative_work(self.length[i], self.dissipative[i], &p) + p.lost;
+            (self.tension[i], self.length[i], self.dissipative[i]) = (p.tension, p.length, p.dissipative);
             for (pull, force) in self.pull.iter_mut().zip(p.force) {
                 pull[i + 1] = force;
             }
