@@ -50,6 +50,7 @@ mod prescribed;
 mod projection;
 mod rope_pieces;
 mod solver;
+mod terms;
 mod walls;
 
-pub use prescribed::{DrivenNode, Prescribed, Settled};
+pub use terms::{DrivenNode, Prescribed, Settled};

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::prescribed::{DrivenNode, Prescribed, Settled};
 use super::projection::Projection;
 use super::rope_pieces::RopePieces;
+use super::terms::{DrivenNode, Prescribed, Settled};
 use super::walls::Tube;
 use crate::CutWeb;
 use crate::packing::distance_limits::{self, DistanceLimit};
