@@ -23,6 +23,7 @@ mod landmarks;
 mod launched;
 mod rest;
 mod run;
+mod summary;
 mod values;
 
 pub use netcast_dynamics as dynamics;

@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::limits::{Excess, Limits, Term};
 use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
 use netcast_report::ReportError;
-use netcast_results::summary::{self, Summary};
+use netcast_results::summary::Summary;
 use netcast_results::{
     Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, disk,
     folder,
@@ -18,8 +17,8 @@ use netcast_scenario::{Diagnostics, Document};
 
 use crate::inputs::Inputs;
 use crate::landmarks::landmarks;
-use crate::launched::launched;
 use crate::rest::{Rest, equilibrium};
+use crate::summary::summary;
 
 /// How a run is carried out; nothing here changes its results.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,18 +144,6 @@ pub enum RunError {
         /// Where it is, as far as it could be written.
         folder: PathBuf,
     },
-}
-
-/// The medium and the wind of a run.
-fn air(model: &Model) -> Option<summary::Air> {
-    let air = model.system.environment().air.as_ref()?;
-    Some(summary::Air {
-        density_kg_m3: air.medium.density(0.0),
-        viscosity_pa_s: air.medium.viscosity(),
-        wind_m_s: air.wind.at(0.0, 0.0).into(),
-        wind_change_max_m_s: air.wind.fluctuation.values.iter().map(|wind| wind.length()).fold(0.0, f64::max),
-        solidity: model.air.as_ref().and_then(|air| air.solidity),
-    })
 }
 
 /// When a model's steps and records happen.
@@ -311,7 +298,9 @@ impl Ended<'_> {
         if !can_resume {
             folder.forget_checkpoint()?;
         }
-        let summary = self.summary(manifest.wall_time_s, warnings);
+        let Ended { model, schedule, rest, outcome, recording } = self;
+        let summary = summary(model, schedule.dt, rest.as_ref(), &outcome, recording);
+        let summary = Summary { wall_time_s: manifest.wall_time_s, warnings, ..summary };
         summary.write(&folder.path().join(folder::SUMMARY))?;
         manifest.write(&folder.path().join(folder::MANIFEST))?;
         netcast_report::write_report(folder.path())?;
@@ -369,86 +358,6 @@ impl Ended<'_> {
     /// The share of the stable step that was taken.
     fn fraction(&self) -> f64 {
         self.model.scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si())
-    }
-
-    fn summary(self, wall_time_s: f64, warnings: Vec<String>) -> Summary {
-        let Ended { model, schedule, rest, outcome, recording } = self;
-        let (system, bill) = (&model.system, &model.bill);
-        let breaks: Vec<summary::Break> = outcome.breaks.iter().map(|broken| told(model, broken)).collect();
-        let broken = || breaks.iter().filter(|broken| !broken.released);
-        Summary {
-            title: model.scenario.title.clone(),
-            netcast: env!("CARGO_PKG_VERSION").to_owned(),
-            wall_time_s,
-            finished: outcome.stopped.is_none() && rest.as_ref().is_none_or(Rest::is_found),
-            model: summary::Model {
-                nodes: system.mass().len(),
-                segments: system.segments().len(),
-                rope_length_m: bill.length_by_class.values().sum(),
-                web_mass_kg: model.mass - bill.tractor_mass,
-                tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
-            },
-            step: summary::Step {
-                dt_s: schedule.dt,
-                count: outcome.steps,
-                limited_by: model.limited_by(),
-                lifted_by: model.step_lift(),
-            },
-            launch: launched(model, &outcome),
-            air: air(model),
-            statics: rest.as_ref().map(|rest| rest.summary(model)),
-            opening: recording.opening,
-            points: recording.points,
-            tension: summary::Tension {
-                broken_segments: broken().count(),
-                first_break_time_s: broken().next().map(|first| first.time_s),
-                ..recording.tension
-            },
-            breaks,
-            posture: recording.posture,
-            mouth: recording.mouth,
-            target: recording.target,
-            flight: recording.flight,
-            canopies: recording.cloth,
-            stowed: stowed(model),
-            energy: recording.energy,
-            warnings,
-        }
-    }
-}
-
-/// A segment that broke, with the names of the model's parts.
-fn told(model: &Model, broken: &Break) -> summary::Break {
-    let &Break { segment, step: _, time, tension } = broken;
-    let class = &model.groups[model.system.segments()[segment].class].class;
-    summary::Break {
-        time_s: time,
-        place: model.segment_label(segment),
-        segment,
-        class: class.name().to_owned(),
-        tension_n: tension,
-        released: class.is_made_to_break(),
-    }
-}
-
-/// The audit of the state at the start.
-fn stowed(model: &Model) -> summary::Stowed {
-    let audit = &model.audit;
-    let packing = model.packing();
-    let closest = packing.closeness.and_then(|closeness| closeness.closest);
-    summary::Stowed {
-        longest_stretch: audit.longest.map(|longest| longest.stretch),
-        longest_stretch_where: audit.longest.map(|longest| model.segment_label(longest.segment)),
-        stretched: audit.stretched,
-        stored_energy_j: audit.stored_energy,
-        packed_radius_m: audit.packed_radius,
-        packed_height_m: audit.packed_height,
-        density_kg_m3: packing.density,
-        solid_fraction: packing.solid_fraction,
-        closest_approach_m: closest.map(|closest| closest.distance),
-        closest_approach_where: closest.map(|closest| closest.segments.map(|s| model.segment_label(s)).join(" and ")),
-        closest_approach_at_m: closest.map(|closest| closest.place.to_array()),
-        nearer_than_a_diameter: packing.closeness.map(|closeness| closeness.touching),
     }
 }
 

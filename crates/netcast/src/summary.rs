@@ -1,0 +1,102 @@
+//! The summary of a run: what was measured of it, with what the model and the outcome say.
+
+use netcast_dynamics::forces::breaking::Break;
+use netcast_dynamics::simulate::Outcome;
+use netcast_results::Recording;
+use netcast_results::summary::{self, Summary};
+use netcast_scenario::lower::Model;
+
+use crate::launched::launched;
+use crate::rest::Rest;
+
+/// The summary of a run of `model` with steps of `dt`, s, that came out so, from what was recorded of it. Its time on
+/// the clock and its warnings are left open.
+pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Outcome, recording: Recording) -> Summary {
+    let (system, bill) = (&model.system, &model.bill);
+    let breaks: Vec<summary::Break> = outcome.breaks.iter().map(|broken| broken_segment(model, broken)).collect();
+    let broken = || breaks.iter().filter(|broken| !broken.released);
+    Summary {
+        title: model.scenario.title.clone(),
+        netcast: env!("CARGO_PKG_VERSION").to_owned(),
+        finished: outcome.stopped.is_none() && rest.is_none_or(Rest::is_found),
+        model: summary::Model {
+            nodes: system.mass().len(),
+            segments: system.segments().len(),
+            rope_length_m: bill.length_by_class.values().sum(),
+            web_mass_kg: model.mass - bill.tractor_mass,
+            tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
+        },
+        step: summary::Step {
+            dt_s: dt,
+            count: outcome.steps,
+            limited_by: model.limited_by(),
+            lifted_by: model.step_lift(),
+        },
+        launch: launched(model, outcome),
+        air: air(model),
+        statics: rest.map(|rest| rest.summary(model)),
+        opening: recording.opening,
+        points: recording.points,
+        tension: summary::Tension {
+            broken_segments: broken().count(),
+            first_break_time_s: broken().next().map(|first| first.time_s),
+            ..recording.tension
+        },
+        breaks,
+        posture: recording.posture,
+        mouth: recording.mouth,
+        target: recording.target,
+        flight: recording.flight,
+        canopies: recording.cloth,
+        stowed: stowed(model),
+        energy: recording.energy,
+        ..Summary::default()
+    }
+}
+
+/// A segment that broke, with the names of the model's parts.
+fn broken_segment(model: &Model, broken: &Break) -> summary::Break {
+    let &Break { segment, step: _, time, tension } = broken;
+    let class = &model.groups[model.system.segments()[segment].class].class;
+    summary::Break {
+        time_s: time,
+        place: model.segment_label(segment),
+        segment,
+        class: class.name().to_owned(),
+        tension_n: tension,
+        released: class.is_made_to_break(),
+    }
+}
+
+/// The medium and the wind of a run.
+fn air(model: &Model) -> Option<summary::Air> {
+    let air = model.system.environment().air.as_ref()?;
+    Some(summary::Air {
+        density_kg_m3: air.medium.density(0.0),
+        viscosity_pa_s: air.medium.viscosity(),
+        wind_m_s: air.wind.at(0.0, 0.0).into(),
+        wind_change_max_m_s: air.wind.fluctuation.values.iter().map(|wind| wind.length()).fold(0.0, f64::max),
+        solidity: model.air.as_ref().and_then(|air| air.solidity),
+    })
+}
+
+/// The audit of the state at the start.
+fn stowed(model: &Model) -> summary::Stowed {
+    let audit = &model.audit;
+    let packing = model.packing();
+    let closest = packing.closeness.and_then(|closeness| closeness.closest);
+    summary::Stowed {
+        longest_stretch: audit.longest.map(|longest| longest.stretch),
+        longest_stretch_where: audit.longest.map(|longest| model.segment_label(longest.segment)),
+        stretched: audit.stretched,
+        stored_energy_j: audit.stored_energy,
+        packed_radius_m: audit.packed_radius,
+        packed_height_m: audit.packed_height,
+        density_kg_m3: packing.density,
+        solid_fraction: packing.solid_fraction,
+        closest_approach_m: closest.map(|closest| closest.distance),
+        closest_approach_where: closest.map(|closest| closest.segments.map(|s| model.segment_label(s)).join(" and ")),
+        closest_approach_at_m: closest.map(|closest| closest.place.to_array()),
+        nearer_than_a_diameter: packing.closeness.map(|closeness| closeness.touching),
+    }
+}
