@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use netcast_results::{ResultError, folder, manifest};
+use netcast_results::{ResultError, folder, hash_files};
 use netcast_scenario::lower::Model;
 use netcast_scenario::tree::Tree;
 use netcast_scenario::{Document, resolved_toml};
@@ -36,9 +36,9 @@ impl Inputs {
         Ok(Self(files))
     }
 
-    /// What they are known by; see [`manifest::hash_inputs`].
+    /// What they are known by; see [`hash_files`].
     pub fn hash(&self) -> String {
-        manifest::hash_files(&self.0)
+        hash_files(&self.0)
     }
 
     /// Writes them into the `inputs` folder of a result.

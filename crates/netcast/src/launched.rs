@@ -1,11 +1,11 @@
 //! How the tractors of a run were launched.
 
 use netcast_dynamics::simulate::Outcome;
-use netcast_results::summary::{Departure, Launch, Recoil};
+use netcast_results::summary::{Departure, Departures, Recoil};
 use netcast_scenario::lower::{Model, Throw};
 
 /// The launch of a run that came out so; none where nothing is launched.
-pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Launch> {
+pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Departures> {
     let launch = model.scenario.launch.as_ref();
     let spin_rad_s = launch.map_or(0.0, |launch| launch.spin.si());
     let axis = model.axis();
@@ -33,5 +33,5 @@ pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Launch> {
         }
     });
     let is_launched = launch.is_some() || model.throws.iter().any(Option::is_some);
-    is_launched.then_some(Launch { spin_rad_s, tractors, recoil })
+    is_launched.then_some(Departures { spin_rad_s, tractors, recoil })
 }

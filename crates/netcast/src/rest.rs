@@ -2,7 +2,7 @@
 
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax};
-use netcast_results::summary;
+use netcast_results::summary::Equilibrium;
 use netcast_scenario::lower::Model;
 
 use crate::run::Progress;
@@ -67,10 +67,10 @@ impl Rest {
     }
 
     /// What the summary says of it.
-    pub fn summary(&self, model: &Model) -> summary::Statics {
+    pub fn summary(&self, model: &Model) -> Equilibrium {
         let Relaxed { residual, iterations, .. } = &self.relaxed;
         let is_finite = residual.force.is_finite();
-        summary::Statics {
+        Equilibrium {
             residual_n: is_finite.then_some(residual.force),
             residual_relative: Some(residual.relative()).filter(|relative| relative.is_finite()),
             residual_where: is_finite.then(|| model.node_label(residual.node)),

@@ -6,10 +6,9 @@ use std::time::{Duration, Instant};
 use netcast_dynamics::limits::{Excess, Limits, Term};
 use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
 use netcast_report::ReportError;
-use netcast_results::summary::Summary;
 use netcast_results::{
-    Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, disk,
-    folder,
+    Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, ResultError, ResultFolder, Summary, folder,
+    require_room,
 };
 use netcast_scenario::lower::Model;
 use netcast_scenario::solve::{OnEnergyError, Solve};
@@ -191,7 +190,7 @@ pub fn run(
     let inputs = Inputs::new(document, &model)?;
     let input_hash = inputs.hash();
     let schedule = schedule(&model);
-    disk::require(target, written_bytes(&model, &schedule))?;
+    require_room(target, written_bytes(&model, &schedule))?;
     let (mut folder, checkpoint) = match options.resume {
         true => left_behind(target, &inputs, &input_hash)?,
         false => (ResultFolder::running(target)?, None),
@@ -237,10 +236,10 @@ pub fn run(
         Some(checkpoint) => resume(system, &checkpoint.snapshot, &schedule, options.threads, &mut recorder),
     };
     let solve = &model.scenario.solve;
-    let recording = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()));
-    let ran = recording.map_err(RunError::from).and_then(|recording| {
+    let measured = recorder.finish(&outcome, (solve.energy_tolerance.si(), solve.web_energy_tolerance.si()));
+    let ran = measured.map_err(RunError::from).and_then(|measured| {
         manifest.wall_time_s = (wall_time_before + clock.elapsed()).as_secs_f64();
-        Ended { model: &model, schedule: &schedule, rest, outcome, recording }.publish(folder, &manifest)
+        Ended { model: &model, schedule: &schedule, rest, outcome, measured }.publish(folder, &manifest)
     });
     ran.map_err(|source| RunError::CutOff { source: Box::new(source), folder: kept })
 }
@@ -286,7 +285,8 @@ struct Ended<'m> {
     schedule: &'m Schedule,
     rest: Option<Rest>,
     outcome: Outcome,
-    recording: Recording,
+    /// The sections of its summary that are measured.
+    measured: Summary,
 }
 
 impl Ended<'_> {
@@ -298,8 +298,8 @@ impl Ended<'_> {
         if !can_resume {
             folder.forget_checkpoint()?;
         }
-        let Ended { model, schedule, rest, outcome, recording } = self;
-        let summary = summary(model, schedule.dt, rest.as_ref(), &outcome, recording);
+        let Ended { model, schedule, rest, outcome, measured } = self;
+        let summary = summary(model, schedule.dt, rest.as_ref(), &outcome, measured);
         let summary = Summary { wall_time_s: manifest.wall_time_s, warnings, ..summary };
         summary.write(&folder.path().join(folder::SUMMARY))?;
         manifest.write(&folder.path().join(folder::MANIFEST))?;
@@ -331,7 +331,7 @@ impl Ended<'_> {
 
     /// The first tolerance that the balance misses.
     fn unbalanced(&self) -> Option<Failure> {
-        let energy = &self.recording.energy;
+        let energy = &self.measured.energy;
         let measures = [
             ("the residual over the largest total energy", Some(energy.closure), energy.tolerance),
             ("the residual over the web's largest energy", energy.closure_web, energy.tolerance_web),

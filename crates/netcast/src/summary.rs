@@ -2,63 +2,50 @@
 
 use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::simulate::Outcome;
-use netcast_results::Recording;
-use netcast_results::summary::{self, Summary};
+use netcast_results::Summary;
+use netcast_results::summary::{AirMet, BrokenSegment, ModelSize, StepSize, StowedState, Tension};
 use netcast_scenario::lower::Model;
 
 use crate::launched::launched;
 use crate::rest::Rest;
 
-/// The summary of a run of `model` with steps of `dt`, s, that came out so, from what was recorded of it. Its time on
-/// the clock and its warnings are left open.
-pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Outcome, recording: Recording) -> Summary {
+/// The summary of a run of `model` with steps of `dt`, s, that came out so, from the sections that were measured. Its
+/// time on the clock and its warnings are left open.
+pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Outcome, measured: Summary) -> Summary {
     let (system, bill) = (&model.system, &model.bill);
-    let breaks: Vec<summary::Break> = outcome.breaks.iter().map(|broken| broken_segment(model, broken)).collect();
+    let breaks: Vec<BrokenSegment> = outcome.breaks.iter().map(|broken| broken_segment(model, broken)).collect();
     let broken = || breaks.iter().filter(|broken| !broken.released);
     Summary {
         title: model.scenario.title.clone(),
         netcast: env!("CARGO_PKG_VERSION").to_owned(),
         finished: outcome.stopped.is_none() && rest.is_none_or(Rest::is_found),
-        model: summary::Model {
+        model: ModelSize {
             nodes: system.mass().len(),
             segments: system.segments().len(),
             rope_length_m: bill.length_by_class.values().sum(),
             web_mass_kg: model.mass - bill.tractor_mass,
             tractor_mass_kg: (bill.tractors > 0).then_some(bill.tractor_mass),
         },
-        step: summary::Step {
-            dt_s: dt,
-            count: outcome.steps,
-            limited_by: model.limited_by(),
-            lifted_by: model.step_lift(),
-        },
+        step: StepSize { dt_s: dt, count: outcome.steps, limited_by: model.limited_by(), lifted_by: model.step_lift() },
         launch: launched(model, outcome),
         air: air(model),
         statics: rest.map(|rest| rest.summary(model)),
-        opening: recording.opening,
-        points: recording.points,
-        tension: summary::Tension {
+        tension: Tension {
             broken_segments: broken().count(),
             first_break_time_s: broken().next().map(|first| first.time_s),
-            ..recording.tension
+            ..measured.tension
         },
         breaks,
-        posture: recording.posture,
-        mouth: recording.mouth,
-        target: recording.target,
-        flight: recording.flight,
-        canopies: recording.cloth,
         stowed: stowed(model),
-        energy: recording.energy,
-        ..Summary::default()
+        ..measured
     }
 }
 
 /// A segment that broke, with the names of the model's parts.
-fn broken_segment(model: &Model, broken: &Break) -> summary::Break {
+fn broken_segment(model: &Model, broken: &Break) -> BrokenSegment {
     let &Break { segment, step: _, time, tension } = broken;
     let class = &model.groups[model.system.segments()[segment].class].class;
-    summary::Break {
+    BrokenSegment {
         time_s: time,
         place: model.segment_label(segment),
         segment,
@@ -69,9 +56,9 @@ fn broken_segment(model: &Model, broken: &Break) -> summary::Break {
 }
 
 /// The medium and the wind of a run.
-fn air(model: &Model) -> Option<summary::Air> {
+fn air(model: &Model) -> Option<AirMet> {
     let air = model.system.environment().air.as_ref()?;
-    Some(summary::Air {
+    Some(AirMet {
         density_kg_m3: air.medium.density(0.0),
         viscosity_pa_s: air.medium.viscosity(),
         wind_m_s: air.wind.at(0.0, 0.0).into(),
@@ -81,11 +68,11 @@ fn air(model: &Model) -> Option<summary::Air> {
 }
 
 /// The audit of the state at the start.
-fn stowed(model: &Model) -> summary::Stowed {
+fn stowed(model: &Model) -> StowedState {
     let audit = &model.audit;
     let packing = model.packing();
     let closest = packing.closeness.and_then(|closeness| closeness.closest);
-    summary::Stowed {
+    StowedState {
         longest_stretch: audit.longest.map(|longest| longest.stretch),
         longest_stretch_where: audit.longest.map(|longest| model.segment_label(longest.segment)),
         stretched: audit.stretched,

@@ -18,7 +18,7 @@ use std::time::Duration;
 use netcast_dynamics::snapshot::Snapshot;
 use serde::{Deserialize, Serialize};
 
-use crate::recorder::Measured;
+use crate::measures::Measures;
 use crate::stream::Written;
 use crate::{ResultError, sealed, whole};
 
@@ -52,7 +52,7 @@ pub struct Checkpoint<'a> {
     /// Where the simulation stands.
     pub snapshot: Cow<'a, Snapshot>,
     /// Where the measures stand.
-    pub measured: Cow<'a, Measured>,
+    pub measures: Cow<'a, Measures>,
     /// How far the files had come.
     pub written: Written,
 }

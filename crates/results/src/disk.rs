@@ -8,7 +8,7 @@ use crate::ResultError;
 ///
 /// # Errors
 /// [`ResultError::DiskTooSmall`]. Where the room cannot be told, there is none.
-pub fn require(target: &Path, bytes: f64) -> Result<(), ResultError> {
+pub fn require_room(target: &Path, bytes: f64) -> Result<(), ResultError> {
     match available(target) {
         Some(available) if available < bytes => {
             Err(ResultError::DiskTooSmall { path: target.to_path_buf(), needed: bytes, available })
@@ -45,7 +45,9 @@ mod tests {
     fn no_disk_holds_everything() {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("not/there/yet");
-        assert!(require(&target, 1.0).is_ok());
-        assert!(matches!(require(&target, 1e24), Err(ResultError::DiskTooSmall { available, .. }) if available > 0.0));
+        assert!(require_room(&target, 1.0).is_ok());
+        assert!(
+            matches!(require_room(&target, 1e24), Err(ResultError::DiskTooSmall { available, .. }) if available > 0.0)
+        );
     }
 }

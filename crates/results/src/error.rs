@@ -117,10 +117,12 @@ pub enum ResultError {
         source: io::Error,
     },
     /// A JSON file does not hold what its name promises.
-    #[error("{} is not a valid result: {source}", path.display())]
+    #[error("{} is not a valid result: {key}{source}", path.display())]
     Json {
         /// The file.
         path: PathBuf,
+        /// The key that cannot be read, with a colon after it; empty where the file is no JSON at all.
+        key: String,
         /// The reason given.
         source: serde_json::Error,
     },
@@ -187,10 +189,6 @@ impl ResultError {
     /// An [`ResultError::Read`] at `path`, for `map_err`.
     pub fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::Read { path: path.to_path_buf(), source }
-    }
-
-    pub(crate) fn json(path: &Path) -> impl FnOnce(serde_json::Error) -> Self {
-        move |source| Self::Json { path: path.to_path_buf(), source }
     }
 
     pub(crate) fn csv(path: &Path) -> impl FnOnce(csv::Error) -> Self {

@@ -1,55 +1,11 @@
 //! `history.csv`: one row a record step.
 //!
 //! Numbers are the shortest decimals that read back to the same bits; an empty cell is a quantity that the scenario
-//! does not have. [`columns`] gives the names in the order of the file.
+//! does not have. `row.rs` has the columns in their order.
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::{ResultError, moments};
-
-/// Columns that every history has, before those of its points, classes and energy channels.
-const COMMON_COLUMNS: [&str; 8] = [
-    "time_s",
-    "area_m2",
-    "vector_area_m2",
-    "tractor_area_m2",
-    "centre_travel_m",
-    "corner_travel_m",
-    "tractor_travel_m",
-    "tension_max_n",
-];
-
-/// The columns of a history in their order: the common ones, then those of each feature point, link class and energy
-/// channel, then what is measured of the web as a whole. A column that is there already is not repeated: of a point called `tractor`, `tractor_travel_m` is the mean
-/// over all tractors.
-///
-/// ```
-/// let names = netcast_results::history::columns(&["B"], &["ring"], &["kinetic"]);
-/// assert_eq!(names[0], "time_s");
-/// assert_eq!(
-///     names[8..17],
-///     [
-///         "B_x_m", "B_y_m", "B_z_m", "B_travel_m", "B_speed_m_s", "B_tension_n",
-///         "ring_mean_n", "ring_max_n", "energy_kinetic_j",
-///     ]
-/// );
-/// ```
-pub fn columns<S: AsRef<str>>(points: &[S], classes: &[S], channels: &[S]) -> Vec<String> {
-    let mut names: Vec<String> = COMMON_COLUMNS.iter().map(|name| name.to_string()).collect();
-    for point in points {
-        let point = point.as_ref();
-        names.extend(["x_m", "y_m", "z_m", "travel_m", "speed_m_s", "tension_n"].map(|what| format!("{point}_{what}")));
-    }
-    for class in classes {
-        names.extend(["mean_n", "max_n"].map(|what| format!("{}_{what}", class.as_ref())));
-    }
-    names.extend(channels.iter().map(|channel| format!("energy_{}_j", channel.as_ref())));
-    names.extend(moments::COLUMNS.map(str::to_owned));
-    let mut seen = BTreeSet::new();
-    names.retain(|name| seen.insert(name.clone()));
-    names
-}
+use crate::ResultError;
 
 /// A table of numbers with named columns; `None` is an empty cell.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -207,15 +163,8 @@ mod tests {
     }
 
     #[test]
-    fn no_column_stands_twice() {
-        let names = columns(&["B", "tractor"], &["ring"], &["kinetic"]);
-        assert_eq!(names.iter().filter(|name| *name == "tractor_travel_m").count(), 1);
-        assert!(names.contains(&"tractor_speed_m_s".to_string()));
-    }
-
-    #[test]
     fn a_row_of_the_wrong_length_is_refused() {
-        let mut history = History::new(columns(&["A"], &["traction"], &[]));
-        assert!(matches!(history.push(vec![None]), Err(ResultError::Length { expected: 23, found: 1, .. })));
+        let mut history = History::new(vec!["time_s".into(), "area_m2".into()]);
+        assert!(matches!(history.push(vec![None]), Err(ResultError::Length { expected: 2, found: 1, .. })));
     }
 }

@@ -9,8 +9,8 @@ use std::path::Path;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::ResultError;
-use crate::measures::{mean, posture, vector_area};
+use crate::geometry::{mean, vector_area};
+use crate::{ResultError, json};
 
 /// What is followed under one name: a point, or a group of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -85,18 +85,20 @@ pub struct CanopyMark {
 impl CanopyMark {
     /// What to draw of it, as closed loops of nodes: its triangles, or else its rim.
     pub fn loops(&self) -> Vec<&[usize]> {
-        match self.triangles.is_empty() {
-            true => vec![&self.rim],
-            false => self.triangles.iter().map(|triangle| &triangle[..]).collect(),
+        if self.triangles.is_empty() {
+            vec![&self.rim]
+        } else {
+            self.triangles.iter().map(|triangle| &triangle[..]).collect()
         }
     }
 
     /// What to fill of it: its triangles, or else those between its hub and its rim.
     pub fn faces(&self) -> Vec<[usize; 3]> {
         let Self { hub, rim, triangles } = self;
-        match triangles.is_empty() {
-            true => (0..rim.len()).map(|k| [*hub, rim[k], rim[(k + 1) % rim.len()]]).collect(),
-            false => triangles.clone(),
+        if triangles.is_empty() {
+            (0..rim.len()).map(|k| [*hub, rim[k], rim[(k + 1) % rim.len()]]).collect()
+        } else {
+            triangles.clone()
         }
     }
 }
@@ -217,6 +219,9 @@ pub struct Landmarks {
 }
 
 impl Landmarks {
+    /// Names under which a summary has a point, whether the web has it or not.
+    pub const ALWAYS_NAMED: [&str; 7] = ["A", "B", "C", "D", "tractor", "corner", "centre"];
+
     /// Writes them to `path`.
     ///
     /// # Errors
@@ -229,10 +234,9 @@ impl Landmarks {
     /// Reads them from `path`.
     ///
     /// # Errors
-    /// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
+    /// [`ResultError::Read`], or [`ResultError::Json`] with line, column and key.
     pub fn read(path: &Path) -> Result<Self, ResultError> {
-        let text = fs::read_to_string(path).map_err(ResultError::read(path))?;
-        serde_json::from_str(&text).map_err(ResultError::json(path))
+        json::read(path)
     }
 
     /// Every node that is named, one or more times.
@@ -259,10 +263,18 @@ impl Landmarks {
         (area, sum / self.outline.len() as f64)
     }
 
-    /// How far the middle leads the outline; see [`posture`].
+    /// How far the middle leads the outline along the axis, over the square root of the reference area, both from the
+    /// flat web; none where there is no outline.
     pub fn posture(&self, position: impl Fn(usize) -> DVec3) -> Option<f64> {
         let (_, rim) = (!self.outline.is_empty()).then(|| self.outline_area_and_middle(&position))?;
-        posture(self, rim, mean(&self.centre, position))
+        self.posture_of(rim, mean(&self.centre, position))
+    }
+
+    /// The same by the mean of the outline's vertices, `rim`, and the place of the middle, m.
+    pub fn posture_of(&self, rim: DVec3, middle: DVec3) -> Option<f64> {
+        let size = self.reference_area?.sqrt();
+        let lead = (middle - rim).dot(self.axis) - self.flat_posture;
+        (size > 0.0).then(|| lead / size)
     }
 
     /// Area of the tractors' polygon along the axis, m^2; none where they make none.

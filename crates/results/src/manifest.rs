@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread::available_parallelism;
 
 use serde::{Deserialize, Serialize};
@@ -13,8 +13,8 @@ use sha2::{Digest, Sha256};
 use time::OffsetDateTime;
 use time::format_description::well_known::Rfc3339;
 
-use crate::ResultError;
 use crate::folder::MANIFEST;
+use crate::{ResultError, json};
 
 /// The program's name, as the manifest gives it.
 const PROGRAM: &str = "netcast";
@@ -28,7 +28,7 @@ pub struct Manifest {
     pub version: String,
     /// The commit it was built from, where it was built in its repository.
     pub revision: Option<String>,
-    /// SHA-256 of the `inputs` folder, by [`hash_inputs`].
+    /// SHA-256 of the files of the `inputs` folder, by [`hash_files`].
     pub input_hash: String,
     /// The machine it ran on.
     pub machine: Machine,
@@ -84,10 +84,9 @@ impl Manifest {
     /// Reads a manifest from `path`.
     ///
     /// # Errors
-    /// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
+    /// [`ResultError::Read`], or [`ResultError::Json`] with line, column and key.
     pub fn read(path: &Path) -> Result<Self, ResultError> {
-        let text = fs::read_to_string(path).map_err(ResultError::read(path))?;
-        serde_json::from_str(&text).map_err(ResultError::json(path))
+        json::read(path)
     }
 
     /// Whether a manifest in `folder` names netcast; of any version, so only the name is looked at.
@@ -135,51 +134,20 @@ fn rfc3339(moment: OffsetDateTime) -> String {
     to_the_second.format(&Rfc3339).expect("a clock between the years 0 and 9999")
 }
 
-/// SHA-256 over the files under `folder` in the order of their names, as hexadecimal: of each its relative path with
-/// forward slashes, its length and its bytes, so that no two folders run into one another.
-///
-/// # Errors
-/// [`ResultError::Read`] where a file cannot be read.
-pub fn hash_inputs(folder: &Path) -> Result<String, ResultError> {
-    let mut files = Vec::new();
-    collect_files(folder, "", &mut files)?;
-    files.sort();
-    let mut hasher = Sha256::new();
-    for (name, path) in files {
-        update(&mut hasher, &name, &fs::read(&path).map_err(ResultError::read(&path))?);
-    }
-    Ok(hexadecimal(hasher))
-}
-
-/// The hash that [`hash_inputs`] gives of a folder with these files, by name and content.
+/// SHA-256 of files by name and content, in the order of their names, as hexadecimal; see [`hash`].
 pub fn hash_files(files: &BTreeMap<String, Vec<u8>>) -> String {
-    let mut hasher = Sha256::new();
-    files.iter().for_each(|(name, content)| update(&mut hasher, name, content));
-    hexadecimal(hasher)
+    hash(files.iter().flat_map(|(name, content)| [name.as_bytes(), content]))
 }
 
-fn update(hasher: &mut Sha256, name: &str, content: &[u8]) {
-    for part in [name.as_bytes(), content] {
-        hasher.update((part.len() as u64).to_le_bytes());
-        hasher.update(part);
+/// SHA-256 over some parts, as hexadecimal: of each its length and its bytes, so that no two lists run into one
+/// another.
+pub fn hash<P: AsRef<[u8]>>(parts: impl IntoIterator<Item = P>) -> String {
+    let mut hash = Sha256::new();
+    for part in parts {
+        hash.update((part.as_ref().len() as u64).to_le_bytes());
+        hash.update(part);
     }
-}
-
-fn hexadecimal(hasher: Sha256) -> String {
-    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-fn collect_files(folder: &Path, prefix: &str, files: &mut Vec<(String, PathBuf)>) -> Result<(), ResultError> {
-    for entry in fs::read_dir(folder).map_err(ResultError::read(folder))? {
-        let entry = entry.map_err(ResultError::read(folder))?;
-        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-        if entry.path().is_dir() {
-            collect_files(&entry.path(), &format!("{name}/"), files)?;
-        } else {
-            files.push((name, entry.path()));
-        }
-    }
-    Ok(())
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]
@@ -211,23 +179,21 @@ mod tests {
     }
 
     #[test]
-    fn inputs_are_hashed_by_content_and_name_whatever_the_order_of_writing() {
+    fn inputs_are_hashed_by_content_and_name() {
         let hash = |files: &[(&str, &str)]| {
-            let folder = tempfile::tempdir().unwrap();
-            fs::create_dir(folder.path().join("deep")).unwrap();
-            for (name, content) in files {
-                fs::write(folder.path().join(name), content).unwrap();
-            }
-            hash_inputs(folder.path()).unwrap()
+            hash_files(&files.iter().map(|(name, content)| (name.to_string(), content.as_bytes().to_vec())).collect())
         };
-        let written = hash(&[("scenario.toml", "a"), ("deep/nodes.csv", "b")]);
+        let written = hash(&[("scenario.toml", "a"), ("nodes.csv", "b")]);
         assert_eq!(written.len(), 64);
-        assert_eq!(written, hash(&[("deep/nodes.csv", "b"), ("scenario.toml", "a")]));
-        let files = [("scenario.toml", "a"), ("deep/nodes.csv", "b")];
-        assert_eq!(written, hash_files(&files.map(|(name, content)| (name.to_owned(), content.into())).into()));
-        assert_ne!(written, hash(&[("scenario.toml", "b"), ("deep/nodes.csv", "a")]));
-        assert_ne!(written, hash(&[("scenario.toml", "a"), ("deep/ropes.csv", "b")]));
-        // an empty folder hashes nothing at all: the value published with SHA-256
+        assert_ne!(written, hash(&[("scenario.toml", "b"), ("nodes.csv", "a")]));
+        assert_ne!(written, hash(&[("scenario.toml", "a"), ("ropes.csv", "b")]));
+        // nothing: the value published with SHA-256
         assert_eq!(hash(&[]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+
+    #[test]
+    fn a_hash_knows_the_parts_and_their_order() {
+        assert_ne!(hash(["a", "b"]), hash(["b", "a"]));
+        assert_ne!(hash(["ab", "c"]), hash(["a", "bc"]));
     }
 }

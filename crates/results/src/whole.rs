@@ -41,9 +41,10 @@ pub fn sync_folder(folder: &Path) {
 pub fn sync_all(folder: &Path) -> Result<(), ResultError> {
     for entry in fs::read_dir(folder).map_err(ResultError::read(folder))? {
         let path = entry.map_err(ResultError::read(folder))?.path();
-        match path.is_dir() {
-            true => sync_all(&path)?,
-            false => File::open(&path).and_then(|file| file.sync_all()).map_err(ResultError::write(&path))?,
+        if path.is_dir() {
+            sync_all(&path)?;
+        } else {
+            File::open(&path).and_then(|file| file.sync_all()).map_err(ResultError::write(&path))?;
         }
     }
     sync_folder(folder);

@@ -4,15 +4,13 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use netcast_dynamics::simulate::{Schedule, simulate};
-use netcast_results::comparison::read_summary;
-use netcast_results::{Manifest, Recorder, ResultError, Summary, folder};
+use netcast_results::{Manifest, Quantity, SummaryFile, expected, folder, leaves, quantity_at};
 use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Place};
-use serde_json::Value;
+use serde_json::Value as Json;
 
 use super::SCENARIO;
-use super::reported::{Known, ReportedFile};
+use super::reported::{Kind, Known, KnownQuantity, ReportedFile};
 use crate::landmarks;
 
 /// Designs that a comparison has at least.
@@ -56,7 +54,7 @@ impl Lineup {
         let reported = reported.and_then(|file| {
             let known = names.iter().zip(&read).map(|(name, origin)| {
                 // of a design that cannot be read, any quantity may be reported
-                Known { design: name.clone(), summary: origin.as_ref().ok().and_then(|origin| origin.summary().ok()) }
+                Known { design: name.clone(), quantities: origin.as_ref().ok().and_then(Origin::quantities) }
             });
             ReportedFile::read(file, &known.collect::<Vec<_>>()).map_err(|faults| found.extend(faults)).ok()
         });
@@ -103,28 +101,41 @@ impl Origin {
         Ok(Self::Scenario { document, model })
     }
 
-    /// The design's summary; of one that is still to be run, that of its first step, which has the same keys.
-    fn summary(&self) -> Result<Value, ResultError> {
+    /// The quantities that its summary has, or will have once it is run; none where its summary cannot be read.
+    fn quantities(&self) -> Option<Vec<KnownQuantity>> {
         match self {
-            Self::Folder(path) => read_summary(path),
-            Self::Scenario { model, .. } => {
-                let (system, state) = (&model.system, &model.state);
-                let dt = model.largest_dt();
-                let mut tell = |_| {};
-                let mut recorder = Recorder::new(system, state, landmarks(model), 1, &mut tell, &|| false)?;
-                let outcome = simulate(system, state, &Schedule::new(dt, dt, dt), 1, &mut recorder);
-                let recording = recorder.finish(&outcome, (1.0, 1.0))?;
-                let summary = Summary {
-                    opening: recording.opening,
-                    points: recording.points,
-                    tension: recording.tension,
-                    target: recording.target,
-                    energy: recording.energy,
-                    ..Summary::default()
+            Self::Folder(path) => {
+                let summary = SummaryFile::read(path).ok()?;
+                let known = |(path, value): (String, &Json)| {
+                    let kind = match value {
+                        Json::String(_) => Kind::Text,
+                        Json::Number(_) => Kind::Number,
+                        // what has no value here may be either, unless the table knows it
+                        _ => quantity_at(&path).map_or(Kind::Unknown, |(quantity, _)| Kind::of(quantity.dimension)),
+                    };
+                    KnownQuantity { path, kind }
                 };
-                Ok(serde_json::to_value(summary).expect("string keys and plain data"))
+                Some(leaves(&summary.values).into_iter().map(known).collect())
+            }
+            Self::Scenario { model, .. } => {
+                let all = expected(&landmarks(model), |section| has_section(model, section));
+                let known =
+                    |(path, quantity): (String, &Quantity)| KnownQuantity { path, kind: Kind::of(quantity.dimension) };
+                Some(all.into_iter().map(known).collect())
             }
         }
+    }
+}
+
+/// Whether the summary of a run of `model` has a section.
+fn has_section(model: &Model, section: &str) -> bool {
+    match section {
+        "target" => model.scenario.measure.target_diameter.is_some(),
+        "air" => model.system.environment().air.is_some(),
+        "canopies" => !model.system.membranes().is_empty(),
+        "launch" => model.scenario.launch.is_some() || model.throws.iter().any(Option::is_some),
+        "static" => model.scenario.solve.statics.is_some(),
+        _ => true,
     }
 }
 
@@ -155,9 +166,8 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
     if !Manifest::marks(path) {
         return Err("expected a scenario or a result folder that netcast wrote".into());
     }
-    let origin = Origin::Folder(path.to_owned());
-    let summary = origin.summary().map_err(|error| error.to_string())?;
-    if summary["designs"].is_array() {
+    let summary = SummaryFile::read(path).map_err(|error| error.to_string())?;
+    if summary.is_of_comparison() {
         return Err("it is a comparison; name the folders of designs in it".into());
     }
     for needed in [PathBuf::from(folder::HISTORY), Path::new(folder::INPUTS).join(SCENARIO)] {
@@ -165,7 +175,7 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
             return Err(format!("it has no {}", needed.display()));
         }
     }
-    Ok(origin)
+    Ok(Origin::Folder(path.to_owned()))
 }
 
 /// A name for each design: its file's or folder's, where need be with that of the folder it lies in, or a number.

@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use netcast_report::write_comparison;
-use netcast_results::comparison::{Comparison, Entrant, hash, read_summary};
-use netcast_results::{CheckpointEvery, Machine, Manifest, ResultError, ResultFolder, folder};
+use netcast_results::comparison::{Comparison, Entrant};
+use netcast_results::{CheckpointEvery, Machine, Manifest, ResultError, ResultFolder, SummaryFile, folder, hash};
 use netcast_scenario::tree::Tree;
 use serde_json::Value as Json;
 
@@ -173,7 +173,7 @@ fn copy(from: &Path, to: &Path) -> Result<(), ResultError> {
 
 /// A design as its result folder has it.
 fn entrant(name: &str, results: &Path, failure: Option<String>) -> Result<Entrant, ResultError> {
-    let summary = read_summary(results)?;
+    let summary = SummaryFile::read(results)?;
     let inputs = results.join(folder::INPUTS);
     let path = inputs.join(SCENARIO);
     let text = fs::read_to_string(&path).map_err(ResultError::read(&path))?;

@@ -11,7 +11,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use netcast_results::comparison::quantity::{Quantity, leaves};
+use netcast_results::Dimension;
 use netcast_results::comparison::{Reported, ReportedValue};
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path as ValuePath;
@@ -30,10 +30,34 @@ pub(super) struct ReportedFile {
     pub text: String,
 }
 
-/// A design that numbers may be reported of, with a summary that has all of its quantities where it could be read.
+/// A design that numbers may be reported of.
 pub(super) struct Known {
     pub design: String,
-    pub summary: Option<Json>,
+    /// The quantities of its summary; none where that could not be read, and any may be reported.
+    pub quantities: Option<Vec<KnownQuantity>>,
+}
+
+/// A quantity of a summary.
+pub(super) struct KnownQuantity {
+    /// Its path there.
+    pub path: String,
+    pub kind: Kind,
+}
+
+/// What may be reported of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Number,
+    Text,
+    /// A number or a text.
+    Unknown,
+}
+
+impl Kind {
+    /// What is reported of a quantity of this dimension.
+    pub fn of(dimension: Dimension) -> Self {
+        if dimension == Dimension::Text { Self::Text } else { Self::Number }
+    }
 }
 
 impl ReportedFile {
@@ -47,10 +71,7 @@ impl ReportedFile {
             Ok(tree) => reader.root(&tree),
             Err(faults) => faults.iter().for_each(|fault| reader.wrong("", &fault.message, &fault.origin, None)),
         }
-        match reader.found.is_empty() {
-            true => Ok(Self { reported: reader.reported, text }),
-            false => Err(reader.found),
-        }
+        if reader.found.is_empty() { Ok(Self { reported: reader.reported, text }) } else { Err(reader.found) }
     }
 }
 
@@ -102,32 +123,26 @@ impl Reader<'_> {
                 continue;
             }
             let quantity = ValuePath(here.0[1..].to_vec()).to_string();
-            let in_summary = known.summary.as_ref().map(|summary| {
-                let all = leaves(summary);
-                match all.iter().find(|(path, _)| *path == quantity) {
-                    Some((_, value)) => Ok((*value).clone()),
-                    None => Err(nearest_quantity(&quantity, all.iter().map(|(path, _)| path.as_str()))),
-                }
-            });
-            let value = match (&entry.node.value, in_summary) {
-                (_, Some(Err(near))) => {
-                    let message = format!("`{quantity}` is no quantity of its summary.json");
-                    let help = near.map(|near| format!("did you mean `{near}`?"));
-                    self.wrong(&here.to_string(), &message, &entry.origin, help);
-                    continue;
-                }
-                (Value::Float(number), Some(Ok(Json::Number(_) | Json::Null)) | None) if number.is_finite() => {
-                    Json::from(*number)
-                }
-                (Value::Integer(number), Some(Ok(Json::Number(_) | Json::Null)) | None) => Json::from(*number),
-                (Value::String(text), Some(Ok(Json::String(_) | Json::Null)) | None) if !names_a_number(&quantity) => {
-                    Json::from(text.as_str())
-                }
-                (other, expected) => {
-                    let expected = match expected {
-                        Some(Ok(Json::String(_))) => "a text",
-                        _ => "a number in the unit that the key names",
-                    };
+            let kind = match &known.quantities {
+                None => Kind::Unknown,
+                Some(all) => match all.iter().find(|known| known.path == quantity) {
+                    Some(known) => known.kind,
+                    None => {
+                        let near = nearest_quantity(&quantity, all.iter().map(|known| &known.path[..]));
+                        let message = format!("`{quantity}` is no quantity of its summary.json");
+                        let help = near.map(|near| format!("did you mean `{near}`?"));
+                        self.wrong(&here.to_string(), &message, &entry.origin, help);
+                        continue;
+                    }
+                },
+            };
+            let value = match (&entry.node.value, kind) {
+                (Value::Float(number), Kind::Number | Kind::Unknown) if number.is_finite() => Json::from(*number),
+                (Value::Integer(number), Kind::Number | Kind::Unknown) => Json::from(*number),
+                (Value::String(text), Kind::Text | Kind::Unknown) => Json::from(text.as_str()),
+                (other, kind) => {
+                    let expected =
+                        if kind == Kind::Text { "a text" } else { "a number in the unit that the key names" };
                     let message = format!("expected {expected}, found {}", other.describe());
                     self.wrong(&here.to_string(), &message, &entry.node.origin, None);
                     continue;
@@ -146,11 +161,6 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a quantity that has no value yet will be a number: its key says a unit.
-fn names_a_number(quantity: &str) -> bool {
-    !Quantity::at(quantity).unit.is_empty()
-}
-
 /// The known quantity nearest to a path: the same last key elsewhere counts as near, else few letters changed.
 fn nearest_quantity<'q>(path: &str, known: impl Iterator<Item = &'q str> + Clone) -> Option<String> {
     let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
@@ -163,21 +173,25 @@ fn nearest_quantity<'q>(path: &str, known: impl Iterator<Item = &'q str> + Clone
 
 #[cfg(test)]
 mod tests {
-    use netcast_scenario::Diagnostics;
-    use serde_json::json;
-
     use super::*;
+    use netcast_scenario::Diagnostics;
 
     fn read(text: &str) -> Result<Reported, Vec<String>> {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("reported.toml");
         std::fs::write(&file, text).unwrap();
-        let summary = json!({
-            "opening": {"area_max_time_s": null, "area_max_m2": 3.0},
-            "tension": {"max_where": null, "max_n": 2.0, "by_class": {"rope hexagon": {"max_n": 1.0}}},
-        });
-        let known =
-            [Known { design: "ring".into(), summary: Some(summary) }, Known { design: "star".into(), summary: None }];
+        let quantities = [
+            ("opening.area_max_time_s", Kind::Number),
+            ("opening.area_max_m2", Kind::Number),
+            ("tension.max_where", Kind::Text),
+            ("tension.max_n", Kind::Number),
+            ("tension.by_class.\"rope hexagon\".max_n", Kind::Number),
+        ];
+        let quantities = quantities.map(|(path, kind)| KnownQuantity { path: path.into(), kind }).into();
+        let known = [
+            Known { design: "ring".into(), quantities: Some(quantities) },
+            Known { design: "star".into(), quantities: None },
+        ];
         // in the order of the file, as they are shown
         let told = |faults: Vec<Diagnostic>| {
             let text = Diagnostics::fail_if_any(faults).unwrap_err().to_string();

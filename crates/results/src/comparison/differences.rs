@@ -1,6 +1,6 @@
 //! What differs between the inputs of designs.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use super::Entrant;
@@ -10,7 +10,8 @@ use super::table::merged;
 const TITLE: &str = "title";
 
 /// An input that is not the same in all designs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Difference {
     /// Its path in the scenario.
     pub path: String,
@@ -41,10 +42,11 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::summary::SummaryFile;
 
     fn entrant(name: &str, inputs: &[(&str, Value)]) -> Entrant {
         let inputs = inputs.iter().map(|(path, value)| (path.to_string(), value.clone())).collect();
-        Entrant { name: name.into(), summary: Value::Null, inputs, failure: None }
+        Entrant { name: name.into(), summary: SummaryFile::default(), inputs, failure: None }
     }
 
     #[test]

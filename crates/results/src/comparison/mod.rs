@@ -7,25 +7,23 @@
 //! ```
 //!
 //! The table takes every number of the summaries, under the same names: a number that a later version adds is compared
-//! without a line here. [`quantity`] says which of them a net designer wants large or small.
+//! without a line here. The table of quantities says which of them a net designer wants large or small.
 
 mod differences;
-pub mod quantity;
+pub(crate) mod heading;
 mod table;
 
 use std::fs;
 use std::path::Path;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use sha2::{Digest, Sha256};
 
 use crate::ResultError;
-use crate::folder::SUMMARY;
 use crate::history::decimal;
+use crate::summary::SummaryFile;
 
 pub use differences::Difference;
-pub use quantity::Better;
 pub use table::Row;
 
 /// A design as it comes to the comparison.
@@ -34,7 +32,7 @@ pub struct Entrant {
     /// What it is called; unlike the others' names.
     pub name: String,
     /// Its `summary.json`.
-    pub summary: Value,
+    pub summary: SummaryFile,
     /// Its scenario as resolved: dotted paths with their values as written.
     pub inputs: Vec<(String, Value)>,
     /// Why its run failed.
@@ -62,7 +60,8 @@ pub struct ReportedValue {
 }
 
 /// Designs side by side; fields stand in the order of the file.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Comparison {
     /// The names of the designs in a phrase.
     pub title: String,
@@ -81,7 +80,8 @@ pub struct Comparison {
 }
 
 /// A design of the comparison.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Design {
     /// What it is called in the table.
     pub name: String,
@@ -99,15 +99,14 @@ pub struct Design {
 
 impl Design {
     fn of(entrant: &Entrant) -> Self {
-        let summary = &entrant.summary;
-        let warnings = summary["warnings"].as_array().into_iter().flatten().filter_map(Value::as_str);
+        let summary = &entrant.summary.summary;
         Self {
             name: entrant.name.clone(),
-            title: summary["title"].as_str().unwrap_or_default().to_owned(),
+            title: summary.title.clone(),
             folder: entrant.name.clone(),
-            finished: summary["finished"].as_bool().unwrap_or(true),
+            finished: summary.finished,
             failure: entrant.failure.clone(),
-            warnings: warnings.map(str::to_owned).collect(),
+            warnings: summary.warnings.clone(),
         }
     }
 
@@ -172,27 +171,6 @@ impl Comparison {
     }
 }
 
-/// The summary in a result folder, with every key that it has, whatever version wrote it.
-///
-/// # Errors
-/// [`ResultError::Read`], or [`ResultError::Json`] with line and column.
-pub fn read_summary(folder: &Path) -> Result<Value, ResultError> {
-    let path = folder.join(SUMMARY);
-    let text = fs::read_to_string(&path).map_err(ResultError::read(&path))?;
-    serde_json::from_str(&text).map_err(ResultError::json(&path))
-}
-
-/// SHA-256 over some parts, as hexadecimal: of each its length and its bytes, so that no two lists run into one
-/// another.
-pub fn hash<P: AsRef<[u8]>>(parts: impl IntoIterator<Item = P>) -> String {
-    let mut hash = Sha256::new();
-    for part in parts {
-        hash.update((part.as_ref().len() as u64).to_le_bytes());
-        hash.update(part);
-    }
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 fn cell(values: &Map<String, Value>, design: &str) -> String {
     match values.get(design) {
         Some(Value::String(text)) => text.clone(),
@@ -219,6 +197,7 @@ mod tests {
 
     fn entrant(name: &str, summary: Value) -> Entrant {
         let inputs = vec![("web.square.mesh".to_owned(), json!(name))];
+        let summary = SummaryFile::of(summary, Path::new("summary.json")).unwrap();
         Entrant { name: name.into(), summary, inputs, failure: None }
     }
 
@@ -245,7 +224,7 @@ mod tests {
         // a run that reached its end but missed its energy balance is no better
         let mut unbalanced = three();
         unbalanced[1].failure = Some("the energy balance misses its tolerance".into());
-        unbalanced[2].summary["finished"] = json!(true);
+        unbalanced[2].summary.summary.finished = true;
         assert_eq!(Comparison::of(&unbalanced, None).table[0].best, ["torn"]);
     }
 
@@ -254,8 +233,8 @@ mod tests {
         let known = ReportedValue { design: "fine".into(), quantity: "opening.area_max_m2".into(), value: json!(20) };
         let reported = Reported { source: "a test".into(), values: vec![known] };
         let mut entrants = three();
-        entrants[0].summary["tension"] = json!({"max_n": null, "max_where": "ring, inner"});
-        entrants[1].summary["tension"] = json!({"max_n": 1e-7});
+        entrants[0].summary.values["tension"] = json!({"max_n": null, "max_where": "ring, inner"});
+        entrants[1].summary.values["tension"] = json!({"max_n": 1e-7});
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("summary.csv");
         Comparison::of(&entrants, Some(&reported)).write_csv(&path).unwrap();
@@ -277,12 +256,5 @@ mod tests {
         assert_eq!(value["differences"][0]["values"], json!({"coarse": "coarse", "fine": "fine", "torn": "torn"}));
         assert_eq!(value["table"][0]["better"], json!("higher"));
         assert_eq!(value["reported"], Value::Null);
-    }
-
-    #[test]
-    fn a_hash_knows_the_parts_and_their_order() {
-        assert_eq!(hash(["a"]).len(), 64);
-        assert_ne!(hash(["a", "b"]), hash(["b", "a"]));
-        assert_ne!(hash(["ab", "c"]), hash(["a", "bc"]));
     }
 }

@@ -1,16 +1,19 @@
 //! One table of what came out: a row a quantity, a column a design.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::quantity::{Better, Quantity, leaves};
+use super::heading::Heading;
 use super::{Design, Entrant, Reported};
+use crate::quantities::leaves;
+use crate::quantity::Better;
 
 /// Values that differ by less, relative to the larger, are equal: less than any two machines' sums may differ by.
 const TIE: f64 = 1e-9;
 
 /// A quantity of all designs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Row {
     /// Its path in `summary.json`.
     pub quantity: String,
@@ -39,14 +42,14 @@ pub struct Row {
 
 /// All rows that any design has a value for, group by group.
 pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&Reported>) -> Vec<Row> {
-    let leaves: Vec<Vec<(String, &Value)>> = entrants.iter().map(|entrant| leaves(&entrant.summary)).collect();
+    let leaves: Vec<Vec<(String, &Value)>> = entrants.iter().map(|entrant| leaves(&entrant.summary.values)).collect();
     let paths = merged(leaves.iter().map(|leaves| leaves.iter().map(|(path, _)| path.as_str())));
-    let mut quantities: Vec<Quantity> = paths.into_iter().map(Quantity::at).collect();
+    let mut headings: Vec<Heading> = paths.into_iter().map(Heading::of).collect();
     // stable: within a group they stand as in the summary
-    quantities.sort_by_key(Quantity::rank);
-    let row = |quantity: Quantity| {
+    headings.sort_by_key(Heading::rank);
+    let row = |heading: Heading| {
         let value = |leaves: &Vec<(String, &Value)>| {
-            leaves.iter().find(|(path, _)| *path == quantity.path).map_or(Value::Null, |(_, value)| (*value).clone())
+            leaves.iter().find(|(path, _)| *path == heading.path).map_or(Value::Null, |(_, value)| (*value).clone())
         };
         let values: Map<String, Value> =
             entrants.iter().zip(&leaves).map(|(entrant, leaves)| (entrant.name.clone(), value(leaves))).collect();
@@ -56,24 +59,24 @@ pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&
         let reported: Map<String, Value> = reported
             .iter()
             .flat_map(|reported| &reported.values)
-            .filter(|known| known.quantity == quantity.path)
+            .filter(|known| known.quantity == heading.path)
             .map(|known| (known.design.clone(), known.value.clone()))
             .collect();
         Some(Row {
-            best: quantity.better.map_or(Vec::new(), |better| best(better, designs, &values)),
+            best: heading.better.map_or(Vec::new(), |better| best(better, designs, &values)),
             deviation_percent: deviations(&values, &reported),
             reported,
             values,
-            label: quantity.label,
-            unit: quantity.unit.to_owned(),
-            group: quantity.group,
-            headline: quantity.headline,
-            better: quantity.better,
-            reproducible: quantity.reproducible,
-            quantity: quantity.path,
+            label: heading.label,
+            unit: heading.unit.to_owned(),
+            group: heading.group,
+            headline: heading.headline,
+            better: heading.better,
+            reproducible: heading.reproducible,
+            quantity: heading.path,
         })
     };
-    quantities.into_iter().filter_map(row).collect()
+    headings.into_iter().filter_map(row).collect()
 }
 
 fn best(better: Better, designs: &[Design], values: &Map<String, Value>) -> Vec<String> {
@@ -129,15 +132,18 @@ pub(super) fn merged<'k>(lists: impl IntoIterator<Item = impl Iterator<Item = &'
 mod tests {
     use serde_json::json;
 
+    use std::path::Path;
+
     use super::super::{Comparison, ReportedValue};
     use super::*;
+    use crate::summary::SummaryFile;
 
     fn rows(summaries: &[(&str, Value)], reported: &[(&str, &str, Value)]) -> Vec<Row> {
         let entrants: Vec<Entrant> = summaries
             .iter()
             .map(|(name, summary)| Entrant {
                 name: name.to_string(),
-                summary: summary.clone(),
+                summary: SummaryFile::of(summary.clone(), Path::new("summary.json")).unwrap(),
                 inputs: Vec::new(),
                 failure: None,
             })

@@ -3,15 +3,15 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use crate::geometry::mean;
 use crate::landmarks::Landmarks;
-use crate::measures::mean;
 
 /// Share of the flat web's area below which the mouth faces nowhere in particular.
 const FACES_NOWHERE: f64 = 0.01;
 
 /// The mouth at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Mouth {
+pub struct MouthStance {
     /// Angle between the outline's vector area and the launch axis, rad: 0 where the mouth faces along the axis, pi/2
     /// where it stands edge on. None while the outline is nearly closed.
     pub tilt: Option<f64>,
@@ -20,10 +20,10 @@ pub struct Mouth {
     pub asymmetry: Option<f64>,
 }
 
-impl Mouth {
+impl MouthStance {
     /// The mouth at `position`s.
-    pub fn new(landmarks: &Landmarks, position: impl Fn(usize) -> DVec3) -> Mouth {
-        Mouth { tilt: tilt(landmarks, &position), asymmetry: asymmetry(landmarks, &position) }
+    pub fn new(landmarks: &Landmarks, position: impl Fn(usize) -> DVec3) -> MouthStance {
+        MouthStance { tilt: tilt(landmarks, &position), asymmetry: asymmetry(landmarks, &position) }
     }
 }
 
@@ -73,7 +73,7 @@ mod tests {
         for angle in [0.0, 0.2, 1.2, 2.9] {
             let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
             let turn = |r: DVec3| DVec3::new(r.x, cosine * r.y, sine * r.y) + DVec3::new(5.0, -3.0, 8.0);
-            let mouth = Mouth::new(&landmarks, |corner| turn(corners[corner]));
+            let mouth = MouthStance::new(&landmarks, |corner| turn(corners[corner]));
             // a mouth that looks backwards is tilted as one that looks forwards
             let expected = f64::min(angle, std::f64::consts::PI - angle);
             assert!((mouth.tilt.unwrap() - expected).abs() < 1e-12, "{:?} for {angle}", mouth.tilt);
@@ -83,11 +83,11 @@ mod tests {
     #[test]
     fn a_mouth_that_opens_alike_on_all_sides_is_symmetric_and_one_lame_corner_shows() {
         let (landmarks, corners) = square();
-        let scaled = Mouth::new(&landmarks, |corner| 0.3 * corners[corner] + DVec3::new(7.0, 0.0, 1.0));
+        let scaled = MouthStance::new(&landmarks, |corner| 0.3 * corners[corner] + DVec3::new(7.0, 0.0, 1.0));
         assert!(scaled.asymmetry.unwrap() < 1e-12);
 
         // one corner at half its reach: the mean moves by an eighth of the diagonal's half towards the opposite one
-        let lame = Mouth::new(&landmarks, |corner| if corner == 0 { 0.5 * corners[0] } else { corners[corner] });
+        let lame = MouthStance::new(&landmarks, |corner| if corner == 0 { 0.5 * corners[0] } else { corners[corner] });
         let reach = |x: f64, y: f64| f64::hypot(x + 0.125, y + 0.125);
         let reaches = [reach(0.5, 0.5), reach(-1.0, 1.0), reach(-1.0, -1.0), reach(1.0, -1.0)];
         let average = reaches.iter().sum::<f64>() / 4.0;
@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn a_closed_mouth_faces_nowhere() {
         let (landmarks, corners) = square();
-        let mouth = Mouth::new(&landmarks, |corner| 0.05 * corners[corner]);
+        let mouth = MouthStance::new(&landmarks, |corner| 0.05 * corners[corner]);
         assert_eq!(mouth.tilt, None);
-        assert_eq!(Mouth::new(&landmarks, |_| DVec3::ZERO).asymmetry, None);
+        assert_eq!(MouthStance::new(&landmarks, |_| DVec3::ZERO).asymmetry, None);
     }
 }

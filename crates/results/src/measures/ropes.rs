@@ -1,11 +1,9 @@
 //! What each kind of rope bears, and what share of its strength that takes.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 use crate::landmarks::Landmarks;
-use crate::summary::RopeUse;
+use crate::summary::{RopeUse, Summary};
 
 /// Tensions of each kind of rope at record times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -15,7 +13,7 @@ pub struct RopeMeasures {
 }
 
 /// A largest tension, N, its time, s, and the link class where it occurred.
-pub type Largest<'l> = Option<(f64, f64, &'l str)>;
+pub type LargestTension<'l> = Option<(f64, f64, &'l str)>;
 
 impl RopeMeasures {
     /// Of so many kinds of rope.
@@ -38,14 +36,14 @@ impl RopeMeasures {
         }
     }
 
-    /// The use of each rope by its name; `largest` is what it bore at any step.
+    /// Writes the use of each rope, by its name, into the summary; `largest` is what it bore at any step.
     pub fn finish<'l>(
         &self,
         landmarks: &Landmarks,
-        largest: impl Fn(usize) -> Largest<'l>,
-    ) -> BTreeMap<String, RopeUse> {
-        let of = |(index, (least, sum, count)): (usize, &(f64, f64, f64))| {
-            let rope = &landmarks.ropes[index];
+        largest: impl Fn(usize) -> LargestTension<'l>,
+        summary: &mut Summary,
+    ) {
+        for (index, (rope, (least, sum, count))) in landmarks.ropes.iter().zip(&self.kinds).enumerate() {
             let largest = largest(index);
             let max_n = largest.map_or(0.0, |(tension, _, _)| tension);
             let bears = rope.strength.map(|strength| strength * (1.0 - rope.knot_reduction.unwrap_or(0.0)));
@@ -60,8 +58,7 @@ impl RopeMeasures {
                 utilisation: bears.map(|bears| max_n / bears),
                 margin: bears.filter(|_| max_n > 0.0).map(|bears| bears / max_n),
             };
-            (rope.name.clone(), used)
-        };
-        self.kinds.iter().enumerate().map(of).collect()
+            summary.tension.by_rope.insert(rope.name.clone(), used);
+        }
     }
 }

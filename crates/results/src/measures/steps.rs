@@ -3,78 +3,23 @@
 //! Areas: with S = 1/2 sum r_i x r_(i+1) over a closed polygon, the area is |S . axis| and the vector area |S|.
 //! Travel: displacement along the launch axis since launch. Height: world z above the muzzle, which is the origin.
 
-use std::collections::BTreeMap;
-
 use glam::DVec3;
 use netcast_dynamics::simulate::Live;
 use serde::{Deserialize, Serialize};
 
+use super::peak::Peak;
+use super::ropes::LargestTension;
+use super::spell::Spells;
+use crate::geometry::mean;
 use crate::landmarks::{Group, Landmarks};
-use crate::spell::Spells;
-use crate::summary::{ClassTension, Opening, PointExtremes, Posture, Tension};
-use crate::utilisation::Largest;
+use crate::summary::{ClassTension, PointExtremes, Posture, Summary};
 
-/// Share of the reference area from which the web counts as open.
-pub(crate) const EFFECTIVE: f64 = 0.8;
+/// Share of the area of the flat web from which a web counts as open.
+pub const OPEN_SHARE: f64 = 0.8;
 /// Posture beyond which the web counts as concave (below) or convex (above).
 const POSTURE: f64 = 0.02;
 /// Share of its own peak travel at which a point counts as started.
 const STARTED: f64 = 0.01;
-
-/// A largest value and its time.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Peak(Option<(f64, f64)>);
-
-impl Peak {
-    /// Whether `value` is the largest so far. Of a run that diverges only the finite part counts.
-    pub fn add(&mut self, time: f64, value: f64) -> bool {
-        let larger = value.is_finite() && self.0.is_none_or(|(largest, _)| value > largest);
-        if larger {
-            self.0 = Some((value, time));
-        }
-        larger
-    }
-
-    /// The largest value.
-    pub fn value(&self) -> Option<f64> {
-        self.0.map(|(value, _)| value)
-    }
-
-    /// When it occurred, s.
-    pub fn time(&self) -> Option<f64> {
-        self.0.map(|(_, time)| time)
-    }
-}
-
-/// Half the sum of r_i x r_(i+1) over a closed polygon, m^2.
-pub fn vector_area(mut vertices: impl Iterator<Item = DVec3>) -> DVec3 {
-    let Some(first) = vertices.next() else { return DVec3::ZERO };
-    let mut sum = DVec3::ZERO;
-    let mut last = first;
-    for vertex in vertices.chain([first]) {
-        // relative to the first vertex: large common offsets cancel before they are multiplied
-        sum += (last - first).cross(vertex - first);
-        last = vertex;
-    }
-    0.5 * sum
-}
-
-/// Mean of `of` over some nodes.
-pub fn mean(nodes: &[usize], of: impl Fn(usize) -> DVec3) -> DVec3 {
-    match nodes {
-        [node] => of(*node),
-        _ => nodes.iter().map(|&n| of(n)).sum::<DVec3>() / nodes.len() as f64,
-    }
-}
-
-/// How far the middle leads the outline along the axis, over the square root of the reference area, both from the
-/// flat web.
-/// `rim` is the mean of the outline's vertices, `centre` the middle's place, m.
-pub fn posture(landmarks: &Landmarks, rim: DVec3, centre: DVec3) -> Option<f64> {
-    let size = landmarks.reference_area?.sqrt();
-    let lead = (centre - rim).dot(landmarks.axis) - landmarks.flat_posture;
-    (size > 0.0).then(|| lead / size)
-}
 
 /// Extremes of one landmark.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -90,7 +35,7 @@ struct PointMeasures {
 
 /// Everything that is measured at every step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Measures {
+pub struct StepMeasures {
     points: Vec<PointMeasures>,
     area: Peak,
     vector_area: Peak,
@@ -106,9 +51,9 @@ pub struct Measures {
     bottom_integral_at_area_max: f64,
 }
 
-impl Measures {
+impl StepMeasures {
     /// Starts measuring at `position`s of time 0; travel counts from the `reference`.
-    pub fn new(landmarks: &Landmarks, reference: &[DVec3], position: &[DVec3]) -> Measures {
+    pub fn new(landmarks: &Landmarks, reference: &[DVec3], position: &[DVec3]) -> StepMeasures {
         let points = landmarks
             .points
             .iter()
@@ -122,7 +67,7 @@ impl Measures {
             .collect();
         let groups = vec![Peak::default(); landmarks.groups.len()];
         let largest = vec![0.0; landmarks.groups.len()];
-        let mut measures = Measures {
+        let mut measures = StepMeasures {
             points,
             area: Peak::default(),
             vector_area: Peak::default(),
@@ -167,7 +112,7 @@ impl Measures {
         self.shape(landmarks, live.position_time, |node| live.net.position(node));
     }
 
-    /// Takes the state at launch or at the end into account, of which [`Measures::step`] sees only a part.
+    /// Takes the state at launch or at the end into account, of which [`StepMeasures::step`] sees only a part.
     pub fn ends(
         &mut self,
         landmarks: &Landmarks,
@@ -206,9 +151,9 @@ impl Measures {
             }
             self.vector_area.add(time, area.length());
             if let Some(reference) = landmarks.reference_area {
-                self.effective.add(time, along - EFFECTIVE * reference);
+                self.effective.add(time, along - OPEN_SHARE * reference);
             }
-            if let Some(p) = posture(landmarks, rim, mean(&landmarks.centre, position)) {
+            if let Some(p) = landmarks.posture_of(rim, mean(&landmarks.centre, position)) {
                 self.concave.add(time, -POSTURE - p);
                 self.convex.add(time, p - POSTURE);
             }
@@ -226,42 +171,36 @@ impl Measures {
         }
     }
 
-    /// The summary's parts: opening, points, tension, posture.
-    pub fn finish(self, landmarks: &Landmarks) -> (Opening, BTreeMap<String, Option<PointExtremes>>, Tension, Posture) {
-        let (effective, duration) = self.effective.clone().finish();
-        let opening = Opening {
-            area_max_m2: self.area.value(),
-            area_max_time_s: self.area.time(),
-            reference_area_m2: landmarks.reference_area,
-            vector_area_max_m2: self.vector_area.value(),
-            effective_from_s: effective.map(|(from, _)| from),
-            effective_to_s: effective.map(|(_, to)| to),
-            effective_duration_s: landmarks.reference_area.map(|_| duration),
-            tractor_area_max_m2: self.tractor_area.value(),
-            tractor_area_max_time_s: self.tractor_area.time(),
-            // taken at record times, elsewhere
-            shadow_area_max_m2: None,
-            shadow_area_max_time_s: None,
-        };
-        let tension = self.tension(landmarks);
+    /// Writes opening, points, tension and posture into the summary.
+    pub fn finish(self, landmarks: &Landmarks, summary: &mut Summary) {
+        let opening = &mut summary.opening;
+        (opening.area_max_m2, opening.area_max_time_s) = (self.area.value(), self.area.time());
+        opening.reference_area_m2 = landmarks.reference_area;
+        opening.vector_area_max_m2 = self.vector_area.value();
+        opening.tractor_area_max_m2 = self.tractor_area.value();
+        opening.tractor_area_max_time_s = self.tractor_area.time();
+        self.tensions(landmarks, summary);
+        let (effective, duration) = self.effective.finish();
+        summary.opening.effective_from_s = effective.map(|(from, _)| from);
+        summary.opening.effective_to_s = effective.map(|(_, to)| to);
+        summary.opening.effective_duration_s = landmarks.reference_area.map(|_| duration);
+
         let convex_from_s = self.convex.first();
         let (concave, _) = self.concave.finish();
-        let posture = Posture {
+        summary.posture = Posture {
             concave_from_s: concave.map(|(from, _)| from),
             concave_to_s: concave.map(|(_, to)| to),
             convex_from_s,
         };
 
-        let mut points: BTreeMap<String, Option<PointExtremes>> =
-            ["A", "B", "C", "D", "tractor", "corner", "centre"].map(|name| (name.to_owned(), None)).into();
+        summary.points = Landmarks::ALWAYS_NAMED.map(|name| (name.to_owned(), None)).into();
         for (point, landmark) in self.points.into_iter().zip(&landmarks.points) {
-            points.insert(landmark.name.clone(), Some(point.finish()));
+            summary.points.insert(landmark.name.clone(), Some(point.finish()));
         }
-        (opening, points, tension, posture)
     }
 
-    fn tension(&self, landmarks: &Landmarks) -> Tension {
-        let mut tension = Tension::default();
+    fn tensions(&self, landmarks: &Landmarks, summary: &mut Summary) {
+        let tension = &mut summary.tension;
         for (index, class) in landmarks.classes.iter().enumerate() {
             let peak = self.largest_of(landmarks, |group| group.class == index);
             let (max_n, max_time_s) = peak.map_or((0.0, None), |(_, tension, time)| (tension, Some(time)));
@@ -276,11 +215,10 @@ impl Measures {
         }
         tension.bottom_max_n = self.bottom.value();
         tension.bottom_mean_n = self.bottom_mean(landmarks);
-        tension
     }
 
     /// The largest tension of a kind of rope, N, its time, s, and the link class where it occurred.
-    pub fn largest_in_rope<'l>(&self, landmarks: &'l Landmarks, rope: usize) -> Largest<'l> {
+    pub fn largest_in_rope<'l>(&self, landmarks: &'l Landmarks, rope: usize) -> LargestTension<'l> {
         let (group, tension, time) = self.largest_of(landmarks, |group| group.rope == Some(rope))?;
         Some((tension, time, &landmarks.classes[group.class].name))
     }
@@ -292,7 +230,7 @@ impl Measures {
         belongs: impl Fn(&Group) -> bool,
     ) -> Option<(&'l Group, f64, f64)> {
         let groups = landmarks.groups.iter().zip(&self.groups).filter(|(group, _)| belongs(group));
-        let peaks = groups.filter_map(|(group, peak)| peak.0.map(|(tension, time)| (group, tension, time)));
+        let peaks = groups.filter_map(|(group, peak)| peak.get().map(|(tension, time)| (group, tension, time)));
         peaks.reduce(|one, other| if other.1 > one.1 { other } else { one })
     }
 
@@ -321,26 +259,5 @@ impl PointMeasures {
             peak_height_m: self.height.value(),
             starts_s: self.start_of_motion().map(|g| g.0),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_area_of_a_tilted_rectangle_far_away() {
-        let (along, across) = (DVec3::new(3.0, 0.0, 4.0), DVec3::new(0.0, 2.0, 0.0));
-        let far = DVec3::new(1e6, -2e6, 3e6);
-        let area = vector_area([far, far + along, far + along + across, far + across].into_iter());
-        assert!((area.length() - 10.0).abs() < 1e-8);
-        assert!((area.dot(DVec3::Z) - 6.0).abs() < 1e-8);
-    }
-
-    #[test]
-    fn a_peak_keeps_the_first_of_equals() {
-        let mut peak = Peak::default();
-        assert!(peak.add(0.0, 1.0) && peak.add(1.0, 2.0) && !peak.add(2.0, 2.0));
-        assert_eq!((peak.value(), peak.time()), (Some(2.0), Some(1.0)));
     }
 }

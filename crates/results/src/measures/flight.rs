@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::spell::Spells;
+use super::spell::Spells;
 use crate::summary::Flight;
 
 /// Share of its greatest height above which the web counts as hanging.

@@ -14,7 +14,7 @@ const TARGET_LINES: usize = 100;
 
 /// The plane that the view along the launch axis is projected onto.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub struct Projection {
     across: DVec3,
     up: DVec3,
 }
@@ -28,23 +28,23 @@ pub struct Silhouette {
 /// A place where a loop crosses a line: the line's number, how far along it, and whether the loop goes up there.
 type Crossing = (usize, f64, i32);
 
-impl View {
+impl Projection {
     /// The view along `axis`, a unit vector.
-    pub fn along(axis: DVec3) -> View {
+    pub fn along(axis: DVec3) -> Projection {
         let (across, up) = axis.any_orthonormal_pair();
-        View { across, up }
+        Projection { across, up }
     }
 
     /// Where a point appears, m.
-    pub fn project(&self, point: DVec3) -> DVec2 {
+    pub fn of(&self, point: DVec3) -> DVec2 {
         DVec2::new(point.dot(self.across), point.dot(self.up))
     }
 }
 
 impl Silhouette {
     /// The silhouette of `cells`, closed loops of nodes; none where there are no cells or a position is not finite.
-    pub fn new(view: &View, cells: &[Vec<usize>], position: impl Fn(usize) -> DVec3) -> Option<Silhouette> {
-        let project = |cell: &Vec<usize>| cell.iter().map(|&node| view.project(position(node))).collect();
+    pub fn new(projection: &Projection, cells: &[Vec<usize>], position: impl Fn(usize) -> DVec3) -> Option<Silhouette> {
+        let project = |cell: &Vec<usize>| cell.iter().map(|&node| projection.of(position(node))).collect();
         let cells: Vec<Vec<DVec2>> = cells.iter().map(project).collect();
         let whole = cells.iter().flatten().all(|point| point.is_finite());
         (whole && !cells.is_empty()).then_some(Silhouette { cells })
@@ -147,7 +147,7 @@ mod tests {
             .map(|cell| (cell % count, cell / count))
             .map(|(x, y)| vec![corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)])
             .collect();
-        Silhouette::new(&View::along(DVec3::Z), &cells, |node| nodes[node]).unwrap()
+        Silhouette::new(&Projection::along(DVec3::Z), &cells, |node| nodes[node]).unwrap()
     }
 
     fn turned(x: f64, y: f64) -> DVec3 {
@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn a_twisted_cell_covers_both_its_lobes() {
         let bow = [(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
-        let silhouette = Silhouette::new(&View::along(DVec3::Z), &[vec![0, 1, 2, 3]], |node| bow[node]).unwrap();
+        let silhouette = Silhouette::new(&Projection::along(DVec3::Z), &[vec![0, 1, 2, 3]], |node| bow[node]).unwrap();
         assert!((silhouette.area() - 2.0).abs() < 1e-3, "{}", silhouette.area());
     }
 
@@ -189,9 +189,9 @@ mod tests {
 
     #[test]
     fn a_disc_is_covered_by_the_share_that_lies_on_the_net() {
-        let view = View::along(DVec3::Z);
+        let view = Projection::along(DVec3::Z);
         let silhouette = net(6, |x, y| DVec3::new(x, y, 0.0));
-        let at = |x: f64, y: f64, diameter: f64| silhouette.coverage(view.project(DVec3::new(x, y, 5.0)), diameter);
+        let at = |x: f64, y: f64, diameter: f64| silhouette.coverage(view.of(DVec3::new(x, y, 5.0)), diameter);
         assert!((at(3.0, 3.0, 4.0) - 1.0).abs() < 1e-12);
         assert!((at(0.0, 3.0, 4.0) - 0.5).abs() < 1e-3);
         assert!((at(6.0, 0.0, 4.0) - 0.25).abs() < 1e-3);
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_has_no_silhouette() {
-        let view = View::along(DVec3::Z);
+        let view = Projection::along(DVec3::Z);
         assert_eq!(Silhouette::new(&view, &[vec![0, 1, 2]], |_| DVec3::NAN), None);
         assert_eq!(Silhouette::new(&view, &[], |_| DVec3::ZERO), None);
     }

@@ -5,9 +5,9 @@ use netcast_dynamics::forces::element::Element;
 use netcast_dynamics::forces::membrane::Membrane;
 use serde::{Deserialize, Serialize};
 
+use super::peak::Peak;
 use crate::landmarks::Landmarks;
-use crate::measures::Peak;
-use crate::summary::Cloth;
+use crate::summary::SheetStress;
 
 /// The largest stress so far, and which triangle bore it.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -27,11 +27,11 @@ impl ClothMeasures {
     }
 
     /// The summary's part; none where there are no sheets.
-    pub fn finish(self, membranes: &[Membrane], landmarks: &Landmarks) -> Option<Cloth> {
+    pub fn finish(self, membranes: &[Membrane], landmarks: &Landmarks) -> Option<SheetStress> {
         let nodes = membranes.get(self.triangle)?.nodes();
         let canopy = landmarks.canopies.iter().position(|canopy| canopy.triangles.contains(&nodes));
         let largest = self.stress.value()?;
-        Some(Cloth {
+        Some(SheetStress {
             max_principal_stress_pa: largest,
             max_time_s: self.stress.time(),
             max_where: canopy.map(|index| format!("canopy {}", index + 1)),

@@ -1,0 +1,28 @@
+//! A column of `history.csv`: its name, what it holds, and how a record's value is found.
+
+use crate::quantity::Dimension;
+
+/// A column of the history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Column {
+    /// Its name; `{}` stands for the point, link class or energy channel that it is of.
+    pub name: &'static str,
+    /// What kind of value it holds.
+    pub dimension: Dimension,
+    /// What it holds, in a sentence.
+    pub definition: &'static str,
+}
+
+/// A column with its value in a record of what it is of.
+pub type ColumnOf<T> = (Column, fn(&T) -> Option<f64>);
+
+impl Column {
+    pub(crate) const fn new(name: &'static str, dimension: Dimension, definition: &'static str) -> Self {
+        Self { name, dimension, definition }
+    }
+
+    /// Its name for one of the things that it is of.
+    pub fn name_of(&self, thing: &str) -> String {
+        self.name.replace("{}", thing)
+    }
+}

@@ -1,0 +1,133 @@
+//! What is measured of a run: at every step, or at record times where it takes the whole web. At the end each measure
+//! writes what it found into the summary.
+//!
+//! ```text
+//!  steps     areas, points, tensions, posture                    every step
+//!  cloth     stress of sheets                                    every step
+//!  records   silhouette, mouth, target, flight                   record times
+//!  ropes     least and mean tension of each kind of rope         record times
+//! ```
+
+mod cloth;
+mod flight;
+mod mouth;
+mod peak;
+pub(crate) mod records;
+mod ropes;
+mod silhouette;
+mod spell;
+mod steps;
+
+use netcast_dynamics::channel::Channel;
+use netcast_dynamics::forces::membrane::Membrane;
+use netcast_dynamics::simulate::{Frame, Live, Outcome};
+use serde::{Deserialize, Serialize};
+
+use crate::landmarks::Landmarks;
+use crate::summary::{EnergyBalance, Summary};
+
+use cloth::ClothMeasures;
+use records::RecordMeasures;
+use ropes::RopeMeasures;
+
+pub(crate) use records::WebState;
+pub use steps::OPEN_SHARE;
+pub(crate) use steps::StepMeasures;
+
+use glam::DVec3;
+
+/// What of a system the measures go by.
+#[derive(Debug)]
+pub(crate) struct Measured {
+    pub landmarks: Landmarks,
+    /// Mass of each node, kg; zero for tractors.
+    pub web_mass: Vec<f64>,
+    /// The class of each segment in the system.
+    pub groups: Vec<usize>,
+    pub membranes: Vec<Membrane>,
+    /// The channels of the energy balance.
+    pub channels: Vec<Channel>,
+}
+
+/// All that has been measured of a run so far: what a later record or the end of the run depends on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Measures {
+    pub(crate) at_steps: StepMeasures,
+    at_records: RecordMeasures,
+    ropes: RopeMeasures,
+    cloth: ClothMeasures,
+    /// Records so far.
+    pub(crate) rows: u64,
+    /// The time of the last one, s.
+    pub(crate) last_time: f64,
+    last_residual: f64,
+}
+
+impl Measures {
+    /// Starts measuring at `position`s of time 0, m, (nodes,); travel counts from the `reference`.
+    pub(crate) fn new(of: &Measured, reference: &[DVec3], position: &[DVec3]) -> Self {
+        Self {
+            at_steps: StepMeasures::new(&of.landmarks, reference, position),
+            at_records: RecordMeasures::new(&of.web_mass, reference),
+            ropes: RopeMeasures::new(of.landmarks.ropes.len()),
+            cloth: ClothMeasures::default(),
+            rows: 0,
+            last_time: 0.0,
+            last_residual: 0.0,
+        }
+    }
+
+    /// Whether it is of a web with such landmarks.
+    pub(crate) fn fit(&self, landmarks: &Landmarks) -> bool {
+        self.at_steps.fit(landmarks) && self.ropes.fit(landmarks)
+    }
+
+    /// Takes a step into account.
+    pub(crate) fn step(&mut self, of: &Measured, live: &Live) {
+        self.at_steps.step(&of.landmarks, live);
+        self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
+    }
+
+    /// Takes a record into account; the web as it is there.
+    pub(crate) fn record(&mut self, of: &Measured, frame: &Frame) -> WebState {
+        let landmarks = &of.landmarks;
+        let touches = frame.ledger[Channel::Ground] > 0.0;
+        let web = self.at_records.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
+        self.ropes.add(landmarks, frame.tension, &of.groups);
+        let group_of = |segment: usize| of.groups[segment];
+        self.at_steps.ends(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
+        web
+    }
+
+    /// Counts a record that has been taken into account and written.
+    pub(crate) fn recorded(&mut self, frame: &Frame) {
+        self.rows += 1;
+        self.last_time = frame.time;
+        self.last_residual = frame.residual;
+    }
+
+    /// The sections of the summary that are measured; the others are left open. `tolerance` is what the balance was
+    /// asked to reach, closure and closure of the web.
+    pub(crate) fn finish(self, of: &Measured, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
+        let Self { at_steps, at_records, ropes, cloth, rows: _, last_time: _, last_residual } = self;
+        let landmarks = &of.landmarks;
+        let mut summary = Summary::default();
+        ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope), &mut summary);
+        summary.canopies = cloth.finish(&of.membranes, landmarks);
+        at_records.finish(landmarks, &mut summary);
+        at_steps.finish(landmarks, &mut summary);
+        let (ledger, balance) = (outcome.ledger, outcome.balance);
+        summary.energy = EnergyBalance {
+            initial_j: balance.initial(),
+            final_j: ledger.stored(),
+            closure: balance.closure(),
+            closure_web: Some(balance.closure_web()),
+            channels: of.channels.iter().map(|&channel| (channel.name().to_owned(), ledger[channel])).collect(),
+            residual_j: last_residual,
+            largest_residual_j: balance.largest_residual(),
+            tolerance: tolerance.0,
+            tolerance_web: tolerance.1,
+        };
+        summary
+    }
+}

@@ -1,0 +1,186 @@
+//! What is measured at record times only, because it takes the whole web: the silhouette, the mouth, the flight.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use super::flight::FlightMeasures;
+use super::mouth::MouthStance;
+use super::peak::Peak;
+use super::silhouette::{Projection, Silhouette};
+use super::spell::Spells;
+use super::steps::OPEN_SHARE;
+use crate::column::{Column, ColumnOf};
+use crate::geometry::mean;
+use crate::landmarks::Landmarks;
+use crate::quantity::Dimension;
+use crate::summary::{Mouth, Summary, TargetCoverage};
+
+/// The share of the target from which it counts as covered.
+const COVERED: f64 = 0.99;
+
+/// The web at one record time. What the scenario does not have is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WebState {
+    shadow_area: Option<f64>,
+    target_coverage: Option<f64>,
+    mouth: MouthStance,
+    posture: Option<f64>,
+    mass_centre_travel: f64,
+    mass_centre_height: f64,
+}
+
+/// The columns of the history that a record of the whole web fills, each with its value.
+pub(crate) const COLUMNS: &[ColumnOf<WebState>] = &[
+    (Column::new("shadow_area_m2", Dimension::Area, "Area of the silhouette along the launch axis."), |web| {
+        web.shadow_area
+    }),
+    (Column::new("target_coverage", Dimension::Share, "Share of the target that the silhouette covers."), |web| {
+        web.target_coverage
+    }),
+    (
+        Column::new("mouth_tilt_rad", Dimension::Angle, "Angle between the outline's vector area and the launch axis."),
+        |web| web.mouth.tilt,
+    ),
+    (
+        Column::new(
+            "mouth_asymmetry",
+            Dimension::Share,
+            "Spread of the corners' reach, each over that in the flat web.",
+        ),
+        |web| web.mouth.asymmetry,
+    ),
+    (
+        Column::new("posture", Dimension::Share, "How far the middle leads the outline, over the flat web's size."),
+        |web| web.posture,
+    ),
+    (
+        Column::new("mass_centre_travel_m", Dimension::Length, "Travel of the web's centre of mass along the axis."),
+        |web| Some(web.mass_centre_travel),
+    ),
+    (
+        Column::new("mass_centre_height_m", Dimension::Length, "Height of the web's centre of mass above the muzzle."),
+        |web| Some(web.mass_centre_height),
+    ),
+];
+
+/// Takes the records of a run in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecordMeasures {
+    /// The centre of mass at time 0, m.
+    start: DVec3,
+    shadow_area: Peak,
+    coverage: Peak,
+    covered: Spells,
+    area: Peak,
+    at_largest: MouthStance,
+    worst_tilt: Peak,
+    worst_asymmetry: Peak,
+    flight: FlightMeasures,
+}
+
+impl RecordMeasures {
+    /// Starts at `position`s of time 0; `mass` is that of each node, kg, and zero for tractors.
+    pub fn new(mass: &[f64], position: &[DVec3]) -> RecordMeasures {
+        RecordMeasures {
+            start: mass_centre(mass, position),
+            shadow_area: Peak::default(),
+            coverage: Peak::default(),
+            covered: Spells::default(),
+            area: Peak::default(),
+            at_largest: MouthStance::default(),
+            worst_tilt: Peak::default(),
+            worst_asymmetry: Peak::default(),
+            flight: FlightMeasures::default(),
+        }
+    }
+
+    /// Measures the web at a record time; `mass` is that of each node, kg, and zero for tractors.
+    /// `touches` tells whether anything touches the ground.
+    pub fn add(
+        &mut self,
+        landmarks: &Landmarks,
+        mass: &[f64],
+        time: f64,
+        position: &[DVec3],
+        touches: bool,
+    ) -> WebState {
+        let at = |node: usize| position[node];
+        let projection = Projection::along(landmarks.axis);
+        let silhouette = Silhouette::new(&projection, &landmarks.cells, at);
+        let coverage = silhouette
+            .as_ref()
+            .zip(landmarks.target_diameter)
+            .map(|(silhouette, diameter)| silhouette.coverage(projection.of(middle_of(landmarks, at)), diameter));
+        let mass_centre = mass_centre(mass, position);
+        let web = WebState {
+            shadow_area: silhouette.map(|silhouette| silhouette.area()),
+            target_coverage: coverage,
+            mouth: MouthStance::new(landmarks, at),
+            posture: landmarks.posture(at),
+            mass_centre_travel: (mass_centre - self.start).dot(landmarks.axis),
+            mass_centre_height: mass_centre.z,
+        };
+        self.flight.add(time, mass_centre, touches);
+        self.follow(landmarks, time, &web, landmarks.outline_area(at).map(|s| s.dot(landmarks.axis).abs()));
+        web
+    }
+
+    fn follow(&mut self, landmarks: &Landmarks, time: f64, web: &WebState, area: Option<f64>) {
+        if let Some(area) = web.shadow_area {
+            self.shadow_area.add(time, area);
+        }
+        if let Some(coverage) = web.target_coverage {
+            self.coverage.add(time, coverage);
+            self.covered.add(time, coverage - COVERED);
+        }
+        let Some((area, reference)) = area.zip(landmarks.reference_area) else { return };
+        if self.area.add(time, area) {
+            self.at_largest = web.mouth;
+        }
+        if area >= OPEN_SHARE * reference {
+            if let Some(tilt) = web.mouth.tilt {
+                self.worst_tilt.add(time, tilt);
+            }
+            if let Some(asymmetry) = web.mouth.asymmetry {
+                self.worst_asymmetry.add(time, asymmetry);
+            }
+        }
+    }
+
+    /// Writes the silhouette, the mouth, the target where one is stated, and the flight into the summary.
+    pub fn finish(self, landmarks: &Landmarks, summary: &mut Summary) {
+        summary.opening.shadow_area_max_m2 = self.shadow_area.value();
+        summary.opening.shadow_area_max_time_s = self.shadow_area.time();
+        summary.mouth = Mouth {
+            tilt_at_area_max_rad: self.at_largest.tilt,
+            tilt_max_open_rad: self.worst_tilt.value(),
+            asymmetry_at_area_max: self.at_largest.asymmetry,
+            asymmetry_max_open: self.worst_asymmetry.value(),
+        };
+        let (covered, duration) = self.covered.finish();
+        let measured = self.coverage.value().is_some();
+        summary.target = landmarks.target_diameter.map(|diameter_m| TargetCoverage {
+            diameter_m,
+            coverage_max: self.coverage.value(),
+            coverage_max_time_s: self.coverage.time(),
+            covered_from_s: covered.map(|(from, _)| from),
+            covered_to_s: covered.map(|(_, to)| to),
+            covered_duration_s: measured.then_some(duration),
+        });
+        summary.flight = self.flight.finish();
+    }
+}
+
+/// The middle of the mouth: the mean of the outline's vertices, or of the web's centre where it has no outline.
+fn middle_of(landmarks: &Landmarks, at: impl Fn(usize) -> DVec3) -> DVec3 {
+    match landmarks.outline.len() {
+        0 => mean(&landmarks.centre, at),
+        count => landmarks.outline.iter().map(|nodes| mean(nodes, &at)).sum::<DVec3>() / count as f64,
+    }
+}
+
+/// The centre of mass of the web without its tractors, m.
+fn mass_centre(mass: &[f64], position: &[DVec3]) -> DVec3 {
+    let moment: DVec3 = mass.iter().zip(position).map(|(&mass, &position)| mass * position).sum();
+    moment / mass.iter().sum::<f64>()
+}

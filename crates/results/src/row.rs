@@ -1,0 +1,215 @@
+//! The rows of `history.csv`: which columns there are, and what stands in them at a record time.
+//!
+//! Each list holds a column and its value side by side: first those of the run, then those of each feature point, link
+//! class and energy channel, then those of the web as a whole (`measures/records.rs`).
+
+use std::collections::BTreeSet;
+
+use glam::DVec3;
+use netcast_dynamics::channel::Channel;
+use netcast_dynamics::simulate::Frame;
+
+use crate::column::{Column, ColumnOf};
+use crate::geometry::mean;
+use crate::landmarks::{Landmark, Landmarks};
+use crate::measures::{StepMeasures, WebState, records};
+use crate::quantity::Dimension::{Area, Energy, Force, Length, Speed, Time};
+
+/// A record of a run.
+pub(crate) struct RunRecord<'r> {
+    pub landmarks: &'r Landmarks,
+    pub frame: &'r Frame<'r>,
+    pub at_steps: &'r StepMeasures,
+    /// Mean and largest tension of each link class, N.
+    pub class_tensions: Vec<(f64, f64)>,
+    pub web: &'r WebState,
+}
+
+/// A feature point at a record.
+struct PointRecord<'r> {
+    run: &'r RunRecord<'r>,
+    point: &'r Landmark,
+    place: DVec3,
+    travel: f64,
+}
+
+type OfRun = (Column, for<'r> fn(&RunRecord<'r>) -> Option<f64>);
+type OfPoint = (Column, for<'r> fn(&PointRecord<'r>) -> Option<f64>);
+
+/// Columns of the run.
+const RUN: &[OfRun] = &[
+    (Column::new("time_s", Time, "Time since the start."), |run| Some(run.frame.time)),
+    (Column::new("area_m2", Area, "Area inside the outline, seen along the launch axis."), |run| {
+        Some(run.outline_area()?.dot(run.landmarks.axis).abs())
+    }),
+    (Column::new("vector_area_m2", Area, "Magnitude of the outline's vector area."), |run| {
+        run.outline_area().map(DVec3::length)
+    }),
+    (Column::new("tractor_area_m2", Area, "Area of the tractors' polygon, seen along the launch axis."), |run| {
+        run.landmarks.tractor_area(|node| run.frame.position[node])
+    }),
+    (Column::new("centre_travel_m", Length, "Travel of the centre along the launch axis."), |run| run.travel("centre")),
+    (Column::new("corner_travel_m", Length, "Mean travel of the corners."), |run| run.travel("corner")),
+    (Column::new("tractor_travel_m", Length, "Mean travel of the tractors."), |run| run.travel("tractor")),
+    (Column::new("tension_max_n", Force, "Highest tension of any rope."), |run| {
+        let classes = run.landmarks.classes.iter().zip(&run.class_tensions);
+        Some(classes.filter(|(class, _)| class.is_rope).map(|(_, tension)| tension.1).fold(0.0, f64::max))
+    }),
+];
+
+/// Columns of a feature point, a group of corners or tractors, or the centre.
+const POINT: &[OfPoint] = &[
+    (Column::new("{}_x_m", Length, "Place in the world frame, x."), |at| Some(at.place.x)),
+    (Column::new("{}_y_m", Length, "Place in the world frame, y."), |at| Some(at.place.y)),
+    (Column::new("{}_z_m", Length, "Place in the world frame, z."), |at| Some(at.place.z)),
+    (Column::new("{}_travel_m", Length, "Travel along the launch axis."), |at| Some(at.travel)),
+    (Column::new("{}_speed_m_s", Speed, "Speed."), |at| Some(at.point.speed(|node| at.run.frame.velocity[node]))),
+    (Column::new("{}_tension_n", Force, "Highest tension of the segments of rope that meet there."), |at| {
+        at.point.segments.iter().map(|&segment| at.run.frame.tension[segment]).reduce(f64::max)
+    }),
+];
+
+/// Columns of a link class, of its mean and largest tension.
+const CLASS: &[ColumnOf<(f64, f64)>] = &[
+    (Column::new("{}_mean_n", Force, "Mean tension of the segments of a link class."), |(mean, _)| Some(*mean)),
+    (Column::new("{}_max_n", Force, "Highest tension of the segments of a link class."), |(_, max)| Some(*max)),
+];
+
+/// The column of an energy channel.
+const CHANNEL: Column =
+    Column::new("energy_{}_j", Energy, "Energy of a channel; `residual` is what they do not explain.");
+
+/// The name of what the channels leave unexplained.
+const RESIDUAL: &str = "residual";
+
+/// The columns of the history with what each is of: `POINT`, `CLASS`, `CHANNEL`, or nothing.
+pub fn columns() -> impl Iterator<Item = (Column, &'static str)> {
+    let run = RUN.iter().map(|(column, _)| (*column, ""));
+    let points = POINT.iter().map(|(column, _)| (*column, "POINT"));
+    let classes = CLASS.iter().map(|(column, _)| (*column, "CLASS"));
+    let web = records::COLUMNS.iter().map(|(column, _)| (*column, ""));
+    run.chain(points).chain(classes).chain([(CHANNEL, "CHANNEL")]).chain(web)
+}
+
+/// How the rows of a run are laid out.
+#[derive(Debug)]
+pub(crate) struct RowLayout {
+    /// The names of the columns, in order.
+    pub columns: Vec<String>,
+    channels: Vec<Channel>,
+    /// Of all values of a record, whether each has a column: what stands there already is not repeated. Of a point
+    /// called `tractor`, `tractor_travel_m` is the mean over all tractors.
+    kept: Vec<bool>,
+}
+
+impl RowLayout {
+    /// For a run with these landmarks and channels of the energy balance.
+    pub fn new(landmarks: &Landmarks, channels: &[Channel]) -> Self {
+        let of_each = |column: &Column, thing: &str| column.name_of(thing);
+        let mut names: Vec<String> = RUN.iter().map(|(column, _)| column.name.to_owned()).collect();
+        for point in &landmarks.points {
+            names.extend(POINT.iter().map(|(column, _)| of_each(column, &point.name)));
+        }
+        for class in &landmarks.classes {
+            names.extend(CLASS.iter().map(|(column, _)| of_each(column, &class.name)));
+        }
+        names.extend(channels.iter().map(|channel| CHANNEL.name_of(channel.name())));
+        names.push(CHANNEL.name_of(RESIDUAL));
+        names.extend(records::COLUMNS.iter().map(|(column, _)| column.name.to_owned()));
+        let mut seen = BTreeSet::new();
+        let kept: Vec<bool> = names.iter().map(|name| seen.insert(name.clone())).collect();
+        let columns = names.into_iter().zip(&kept).filter(|(_, kept)| **kept).map(|(name, _)| name).collect();
+        Self { columns, channels: channels.to_vec(), kept }
+    }
+
+    /// One row of the history, with a cell a column.
+    pub fn row(&self, record: &RunRecord) -> Vec<Option<f64>> {
+        let RunRecord { landmarks, frame, .. } = record;
+        let mut row: Vec<Option<f64>> = RUN.iter().map(|(_, value)| value(record)).collect();
+        for (index, point) in landmarks.points.iter().enumerate() {
+            let place = mean(&point.nodes, |node| frame.position[node]);
+            let travel = record.at_steps.displacement(index, place).dot(landmarks.axis);
+            let at = PointRecord { run: record, point, place, travel };
+            row.extend(POINT.iter().map(|(_, value)| value(&at)));
+        }
+        for tensions in &record.class_tensions {
+            row.extend(CLASS.iter().map(|(_, value)| value(tensions)));
+        }
+        row.extend(self.channels.iter().map(|&channel| Some(frame.ledger[channel])));
+        row.push(Some(frame.residual));
+        row.extend(records::COLUMNS.iter().map(|(_, value)| value(record.web)));
+        let kept = row.into_iter().zip(&self.kept).filter(|(_, kept)| **kept);
+        // what overflows as a run diverges has no value
+        kept.map(|(cell, _)| cell.filter(|value| value.is_finite())).collect()
+    }
+}
+
+/// The energy channels of every run in their order, and what they leave unexplained.
+pub(crate) fn channels() -> impl Iterator<Item = &'static str> {
+    let of_every_run = Channel::ALL.iter().filter(|channel| **channel != Channel::Custom);
+    of_every_run.map(|channel| channel.name()).chain([RESIDUAL])
+}
+
+impl RunRecord<'_> {
+    fn outline_area(&self) -> Option<DVec3> {
+        self.landmarks.outline_area(|node| self.frame.position[node])
+    }
+
+    /// Travel of a landmark along the launch axis, m; none where the web has no such landmark.
+    fn travel(&self, name: &str) -> Option<f64> {
+        let landmarks = self.landmarks;
+        let index = landmarks.points.iter().position(|point| point.name == name)?;
+        let place = mean(&landmarks.points[index].nodes, |node| self.frame.position[node]);
+        Some(self.at_steps.displacement(index, place).dot(landmarks.axis))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::landmarks::LinkClass;
+
+    fn layout(points: &[&str], classes: &[&str]) -> RowLayout {
+        let point =
+            |name: &&str| Landmark { name: name.to_string(), nodes: vec![0], is_group: false, segments: Vec::new() };
+        let class = |name: &&str| LinkClass { name: name.to_string(), is_rope: true, strength: None };
+        RowLayout::new(
+            &Landmarks {
+                points: points.iter().map(point).collect(),
+                classes: classes.iter().map(class).collect(),
+                ..Landmarks::default()
+            },
+            &Channel::ALL[..Channel::COUNT - 1],
+        )
+    }
+
+    #[test]
+    fn columns_stand_in_the_order_of_the_contract() {
+        let names = layout(&["B"], &["ring"]).columns;
+        assert_eq!(names[0], "time_s");
+        assert_eq!(
+            names[8..17],
+            [
+                "B_x_m",
+                "B_y_m",
+                "B_z_m",
+                "B_travel_m",
+                "B_speed_m_s",
+                "B_tension_n",
+                "ring_mean_n",
+                "ring_max_n",
+                "energy_kinetic_j",
+            ]
+        );
+        assert_eq!(names.last().unwrap(), "mass_centre_height_m");
+    }
+
+    #[test]
+    fn no_column_stands_twice() {
+        let layout = layout(&["B", "tractor"], &["ring"]);
+        let names = &layout.columns;
+        assert_eq!(names.iter().filter(|name| *name == "tractor_travel_m").count(), 1);
+        assert!(names.contains(&"tractor_speed_m_s".to_string()));
+        assert_eq!(layout.kept.iter().filter(|kept| **kept).count(), names.len());
+    }
+}
