@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use netcast_results::journal::read_journal;
-use netcast_results::{Checkpoint, History, Landmarks, Summary, folder, read_fields};
+use netcast_results::{Checkpoint, History, Landmarks, Summary, folder, read_fields, read_journal};
 use tempfile::TempDir;
 
 use crate::refusal::check_result_error;

@@ -43,7 +43,7 @@ fn a_jerked_rope_breaks_at_its_weak_piece() {
     let last = fields.positions(fields.times.len() - 1);
     assert!((last[2] - last[1]).length() > 0.04, "{} m", (last[2] - last[1]).length());
     assert!(run.summary.energy.channels["rupture"] > 0.0);
-    let words = netcast::report::words(&serde_json::to_value(&run.summary).unwrap());
+    let words = netcast::report::words(&run.summary);
     assert!(words.iter().any(|s| s.starts_with("Something breaks: segment 1 of weak link rope 1 at ")), "{words:?}");
 }
 

@@ -49,7 +49,7 @@ fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
     assert_close("tie, N", run.summary.tension.by_class["tie"].max_n, told.tension_n, 1e-12);
     assert_close("rupture, J", run.last("energy_rupture_j"), 0.5 * load * load / stiffness, 1e-3);
     assert!(run.summary.energy.closure < 1e-5, "{}", run.summary.energy.closure);
-    let words = netcast::report::words(&serde_json::to_value(&run.summary).unwrap());
+    let words = netcast::report::words(&run.summary);
     assert!(words.iter().any(|said| said.starts_with("One tie lets go: break tie 1 at ")), "{words:?}");
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use netcast::results::journal::read_journal;
+use netcast::results::read_journal;
 use netcast_fuzz::{TARGETS, Target, fields, graph_files, history, landmarks, overrides, scenario, summary, units};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use netcast_results::ResultError;
 use thiserror::Error;
 
 /// A report could not be made.
@@ -16,17 +17,9 @@ pub enum ReportError {
         /// The reason given.
         source: io::Error,
     },
-    /// A JSON file of the result folder is malformed.
-    #[error("{} is not a valid result: {source}", path.display())]
-    Json {
-        /// The file.
-        path: PathBuf,
-        /// The reason given.
-        source: serde_json::Error,
-    },
     /// A file of the result folder is not what it should be.
     #[error(transparent)]
-    Result(#[from] netcast_results::ResultError),
+    Result(ResultError),
     /// The landmarks name a node that the fields do not have.
     #[error("{} names node {node}, but the fields hold {nodes} nodes: they are of another run", path.display())]
     UnknownNode {
@@ -53,4 +46,13 @@ pub enum ReportError {
         /// What is not there.
         missing: &'static str,
     },
+}
+
+impl From<ResultError> for ReportError {
+    fn from(error: ResultError) -> Self {
+        match error {
+            ResultError::Read { path, source } => Self::Read { path, source },
+            other => Self::Result(other),
+        }
+    }
 }

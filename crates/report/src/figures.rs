@@ -2,16 +2,14 @@
 //!
 //! A figure is data without colours; `page.js` draws it in those of the reader's theme.
 
+use netcast_results::OPEN_SHARE;
 use serde_json::{Value, json};
 
-use crate::format::Scale;
+use crate::format::{Scale, percent};
 use crate::results::Results;
 
 /// Rows beyond which a curve is thinned; twice what a screen resolves.
 const MOST_POINTS: usize = 4000;
-
-/// The share of the flat web's area from which a web counts as open.
-const EFFECTIVE_SHARE: f64 = 0.8;
 
 /// A chart: curves over time with a title, a line on how to read it, and a unit.
 pub(crate) struct Figure {
@@ -81,12 +79,12 @@ fn areas(results: &Results) -> Option<Figure> {
             curves.push(Curve { style, ..Curve::new(name, &time, &values, colour) });
         }
     }
-    let opening = &results.summary["opening"];
-    if let (false, Some(reference)) = (curves.is_empty(), opening["reference_area_m2"].as_f64()) {
+    let opening = &results.summary().opening;
+    if let (false, Some(reference)) = (curves.is_empty(), opening.reference_area_m2) {
         let ends = [time.first(), time.last()].into_iter().flatten().flatten();
         curves.push(Curve {
-            name: "80 % of the flat web".into(),
-            points: ends.map(|&end| (end, Some(EFFECTIVE_SHARE * reference))).collect(),
+            name: format!("{} of the flat web", percent(OPEN_SHARE)),
+            points: ends.map(|&end| (end, Some(OPEN_SHARE * reference))).collect(),
             colour: None,
             style: Style::Dashed,
         });
@@ -98,12 +96,12 @@ fn areas(results: &Results) -> Option<Figure> {
         quantity: "area",
         unit: "m²".into(),
         curves,
-        shaded: opening["effective_from_s"].as_f64().zip(opening["effective_to_s"].as_f64()),
+        shaded: opening.effective_from_s.zip(opening.effective_to_s),
     })
 }
 
 fn coverage(results: &Results) -> Option<Figure> {
-    let target = &results.summary["target"];
+    let target = results.summary().target.as_ref();
     Some(Figure {
         id: "coverage",
         title: "Target covered",
@@ -111,12 +109,12 @@ fn coverage(results: &Results) -> Option<Figure> {
         quantity: "covered",
         unit: "%".into(),
         curves: vec![single(results, "target_coverage", "target", 100.0)?],
-        shaded: target["covered_from_s"].as_f64().zip(target["covered_to_s"].as_f64()),
+        shaded: target.and_then(|target| target.covered_from_s.zip(target.covered_to_s)),
     })
 }
 
 fn postures(results: &Results) -> Option<Figure> {
-    let posture = &results.summary["posture"];
+    let posture = &results.summary().posture;
     Some(Figure {
         id: "posture",
         title: "Posture",
@@ -124,7 +122,7 @@ fn postures(results: &Results) -> Option<Figure> {
         quantity: "lead of the middle",
         unit: "%".into(),
         curves: vec![single(results, "posture", "posture", 100.0)?],
-        shaded: posture["concave_from_s"].as_f64().zip(posture["concave_to_s"].as_f64()),
+        shaded: posture.concave_from_s.zip(posture.concave_to_s),
     })
 }
 
@@ -153,7 +151,7 @@ fn asymmetry(results: &Results) -> Option<Figure> {
 }
 
 fn heights(results: &Results) -> Option<Figure> {
-    let flight = &results.summary["flight"];
+    let flight = &results.summary().flight;
     Some(Figure {
         id: "height",
         title: "Height",
@@ -161,7 +159,7 @@ fn heights(results: &Results) -> Option<Figure> {
         quantity: "height",
         unit: "m".into(),
         curves: vec![single(results, "mass_centre_height_m", "centre of mass", 1.0)?],
-        shaded: flight["hang_from_s"].as_f64().zip(flight["hang_to_s"].as_f64()),
+        shaded: flight.hang_from_s.zip(flight.hang_to_s),
     })
 }
 

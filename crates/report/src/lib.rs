@@ -30,9 +30,9 @@ pub use error::ReportError;
 pub use pictures::write_pictures;
 pub use words::words;
 
-use netcast_results::folder;
+use netcast_results::{SummaryFile, folder};
 
-use results::{Results, read_json};
+use results::Results;
 
 /// Writes `report.html` into `result_dir` from the `summary.json`, `history.csv` and `manifest.json` there, and returns
 /// its path. Of the folder of a comparison it is the page of [`write_comparison`].
@@ -40,7 +40,7 @@ use results::{Results, read_json};
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written.
 pub fn write_report(result_dir: &Path) -> Result<PathBuf, ReportError> {
-    if read_json(&result_dir.join(folder::SUMMARY))?["designs"].is_array() {
+    if SummaryFile::read(result_dir)?.is_of_comparison() {
         return write_comparison(result_dir);
     }
     let results = Results::read(result_dir)?;

@@ -4,15 +4,14 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use glam::DVec3;
-use netcast_results::{Fields, History, Landmarks, folder, read_fields};
-use serde_json::Value;
+use netcast_results::{Fields, History, Landmarks, Manifest, Summary, SummaryFile, folder, read_fields};
 
 use crate::ReportError;
 
 /// A result folder, read.
 pub(crate) struct Results {
-    pub summary: Value,
-    pub manifest: Value,
+    pub file: SummaryFile,
+    pub manifest: Manifest,
     pub history: History,
     /// The scenario as resolved; empty where the folder does not have it.
     pub scenario: String,
@@ -37,8 +36,8 @@ impl Results {
             _ => None,
         };
         Ok(Self {
-            summary: read_json(&from.join(folder::SUMMARY))?,
-            manifest: read_json(&from.join(folder::MANIFEST))?,
+            file: SummaryFile::read(from)?,
+            manifest: Manifest::read(&from.join(folder::MANIFEST))?,
             history: History::read(&from.join(folder::HISTORY))?,
             scenario: scenario
                 .filter(|path| path.exists())
@@ -47,6 +46,17 @@ impl Results {
                 .unwrap_or_default(),
             scene,
         })
+    }
+
+    /// The run in numbers.
+    pub(crate) fn summary(&self) -> &Summary {
+        &self.file.summary
+    }
+
+    /// The scenario's title, or that it has none.
+    pub(crate) fn title(&self) -> &str {
+        let title = &self.summary().title;
+        if title.trim().is_empty() { "Untitled scenario" } else { title }
     }
 
     /// The cells of a column of the history, where it holds any number.
@@ -108,8 +118,4 @@ impl Scene {
 
 fn read_text(path: &Path) -> Result<String, ReportError> {
     std::fs::read_to_string(path).map_err(|source| ReportError::Read { path: path.to_path_buf(), source })
-}
-
-pub(crate) fn read_json(path: &Path) -> Result<Value, ReportError> {
-    serde_json::from_str(&read_text(path)?).map_err(|source| ReportError::Json { path: path.to_path_buf(), source })
 }

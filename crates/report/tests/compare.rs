@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use netcast_report::{ReportError, write_comparison, write_report};
+use netcast_results::ResultError;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -23,7 +24,7 @@ fn comparison() -> Value {
     };
     let mut time = row(
         "opening.area_max_time_s",
-        "Opens fully at",
+        "Time of largest outline area",
         "s",
         json!("lower"),
         json!({"ring": 0.12, "star": 0.14}),
@@ -105,7 +106,7 @@ fn the_table_marks_the_best_and_stands_beside_what_is_reported() {
     assert!(page.contains("★ </span>0.120<span class=\"said\"> (best)</span>"));
     assert!(page.contains("<td class=\"reported\">0.160<small>-12 %</small></td>"));
     for told in [
-        "Opens fully at<span class=\"unit\">, s</span>",
+        "Time of largest outline area<span class=\"unit\">, s</span>",
         "Highest tension<span class=\"unit\">, kN</span>",
         "<td>51.0</td>",
         "<td>1\u{202f}998</td>",
@@ -157,7 +158,7 @@ fn what_is_missing_is_said() {
     let error = write_comparison(folder.path()).unwrap_err().to_string();
     assert!(error.contains("history.csv"), "{error}");
     fs::write(folder.path().join("summary.json"), "{").unwrap();
-    assert!(matches!(write_comparison(folder.path()), Err(ReportError::Json { .. })));
+    assert!(matches!(write_comparison(folder.path()), Err(ReportError::Result(ResultError::Json { .. }))));
 }
 
 #[test]

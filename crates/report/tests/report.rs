@@ -3,6 +3,7 @@
 use std::fs;
 
 use netcast_report::{ReportError, write_report};
+use netcast_results::ResultError;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -230,5 +231,5 @@ fn what_is_wrong_with_the_folder_is_said() {
 
     let bad_json = folder(&summary(), &history());
     fs::write(bad_json.path().join("manifest.json"), "{").unwrap();
-    assert!(matches!(write_report(bad_json.path()), Err(ReportError::Json { .. })));
+    assert!(matches!(write_report(bad_json.path()), Err(ReportError::Result(ResultError::Json { .. }))));
 }

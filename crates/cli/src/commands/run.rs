@@ -92,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     if arguments.json {
         say!("{}", summary.trim_end());
     } else if !arguments.quiet {
-        tell(&ran, &summary)?;
+        tell(&ran)?;
     }
     match ran.failure {
         Some(failure) => {
@@ -137,13 +137,11 @@ fn quoted(word: &str) -> String {
 }
 
 /// The summary in a designer's words.
-fn tell(ran: &netcast::Ran, summary: &str) -> Ended {
-    let value: serde_json::Value =
-        serde_json::from_str(summary).map_err(|error| Complaint::Fault(format!("summary.json: {error}")))?;
+fn tell(ran: &netcast::Ran) -> Ended {
     if !ran.summary.title.is_empty() {
         say!("{}", ran.summary.title);
     }
-    for sentence in netcast::report::words(&value) {
+    for sentence in netcast::report::words(&ran.summary) {
         say!("  {sentence}");
     }
     // why it failed is told last, on standard error

@@ -1,5 +1,6 @@
 //! Curves of several designs laid over each other: a figure a quantity, a curve a design.
 
+use netcast_results::comparison::Design;
 use serde_json::{Value, json};
 
 use crate::figures::{six_digits, thinned};
@@ -8,7 +9,7 @@ use crate::page::figure_frame;
 use crate::results::Results;
 
 /// What a figure shows.
-struct Quantity {
+struct OverlaidCurve {
     id: &'static str,
     title: &'static str,
     note: &'static str,
@@ -20,7 +21,7 @@ struct Quantity {
     columns: &'static [&'static str],
 }
 
-impl Quantity {
+impl OverlaidCurve {
     const fn new(
         id: &'static str,
         title: &'static str,
@@ -33,33 +34,51 @@ impl Quantity {
 }
 
 /// The figures in the order of the page; one without any curve is left out.
-const QUANTITIES: [Quantity; 17] = [
-    Quantity::new("area", "Area inside the outline", "Seen along the launch axis.", "m²", &["area_m2"]),
-    Quantity::new("tractor-area", "Tractors' polygon", "Its area along the launch axis.", "m²", &["tractor_area_m2"]),
-    Quantity::new("shadow", "Silhouette", "Area of the web's shadow along the axis.", "m²", &["shadow_area_m2"]),
-    Quantity {
+const CURVES: [OverlaidCurve; 17] = [
+    OverlaidCurve::new("area", "Area inside the outline", "Seen along the launch axis.", "m²", &["area_m2"]),
+    OverlaidCurve::new(
+        "tractor-area",
+        "Tractors' polygon",
+        "Its area along the launch axis.",
+        "m²",
+        &["tractor_area_m2"],
+    ),
+    OverlaidCurve::new("shadow", "Silhouette", "Area of the web's shadow along the axis.", "m²", &["shadow_area_m2"]),
+    OverlaidCurve {
         factor: 100.0,
-        ..Quantity::new("coverage", "Target covered", "Share of the stated target.", "%", &["target_coverage"])
+        ..OverlaidCurve::new("coverage", "Target covered", "Share of the stated target.", "%", &["target_coverage"])
     },
-    Quantity::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_max_n"]),
-    Quantity::new(
+    OverlaidCurve::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_max_n"]),
+    OverlaidCurve::new(
         "bottom-tension",
         "Bottom ropes",
         "Those that meet point B: the hardest pulled.",
         "N",
         &["B_tension_n"],
     ),
-    Quantity::new("ring-tension", "Ring ropes", "Their mean tension.", "N", &["ring_mean_n"]),
-    Quantity::new("radial-tension", "Radial ropes", "Their mean tension.", "N", &["radial_mean_n"]),
-    Quantity::new("tractor-speed", "Speed of the tractors", "Of the mean of them.", "m/s", &["tractor_speed_m_s"]),
-    Quantity::new("tractor-travel", "Travel of the tractors", "Along the launch axis.", "m", &["tractor_travel_m"]),
-    Quantity::new("b-speed", "Speed of point B", "The middle of the web's bottom.", "m/s", &["B_speed_m_s"]),
-    Quantity::new("b-travel", "Travel of point B", "Along the launch axis.", "m", &["B_travel_m"]),
-    Quantity::new("centre-travel", "Travel of the centre", "Along the launch axis.", "m", &["centre_travel_m"]),
-    Quantity::new("posture", "Posture", "Below 0 the middle trails the outline, above it leads.", "", &["posture"]),
-    Quantity {
+    OverlaidCurve::new("ring-tension", "Ring ropes", "Their mean tension.", "N", &["ring_mean_n"]),
+    OverlaidCurve::new("radial-tension", "Radial ropes", "Their mean tension.", "N", &["radial_mean_n"]),
+    OverlaidCurve::new("tractor-speed", "Speed of the tractors", "Of the mean of them.", "m/s", &["tractor_speed_m_s"]),
+    OverlaidCurve::new(
+        "tractor-travel",
+        "Travel of the tractors",
+        "Along the launch axis.",
+        "m",
+        &["tractor_travel_m"],
+    ),
+    OverlaidCurve::new("b-speed", "Speed of point B", "The middle of the web's bottom.", "m/s", &["B_speed_m_s"]),
+    OverlaidCurve::new("b-travel", "Travel of point B", "Along the launch axis.", "m", &["B_travel_m"]),
+    OverlaidCurve::new("centre-travel", "Travel of the centre", "Along the launch axis.", "m", &["centre_travel_m"]),
+    OverlaidCurve::new(
+        "posture",
+        "Posture",
+        "Below 0 the middle trails the outline, above it leads.",
+        "",
+        &["posture"],
+    ),
+    OverlaidCurve {
         factor: 180.0 / std::f64::consts::PI,
-        ..Quantity::new(
+        ..OverlaidCurve::new(
             "tilt",
             "Tilt of the mouth",
             "Between the outline's vector area and the axis.",
@@ -67,14 +86,14 @@ const QUANTITIES: [Quantity; 17] = [
             &["mouth_tilt_rad"],
         )
     },
-    Quantity::new(
+    OverlaidCurve::new(
         "asymmetry",
         "Asymmetry of the mouth",
         "How unevenly the corners stand out.",
         "",
         &["mouth_asymmetry"],
     ),
-    Quantity::new(
+    OverlaidCurve::new(
         "energy",
         "Mechanical energy",
         "Kinetic, elastic and gravity together: what damping has left.",
@@ -97,7 +116,7 @@ impl Overlay {
     /// Takes a design in.
     pub(crate) fn add(&mut self, design: usize, results: &Results) {
         let Some(time) = results.column("time_s") else { return };
-        for (place, quantity) in QUANTITIES.iter().enumerate() {
+        for (place, quantity) in CURVES.iter().enumerate() {
             let Some(columns) = quantity.columns.iter().map(|name| results.column(name)).collect::<Option<Vec<_>>>()
             else {
                 continue;
@@ -110,16 +129,16 @@ impl Overlay {
 }
 
 /// A figure of the page.
-pub(crate) struct Figure<'o> {
-    quantity: &'static Quantity,
+pub(crate) struct OverlayFigure<'o> {
+    quantity: &'static OverlaidCurve,
     scale: Scale,
     /// Place of the design, and its curve.
     curves: Vec<(usize, &'o Points)>,
 }
 
 /// The figures that any design has a curve for.
-pub(crate) fn overlays(overlay: &Overlay) -> Vec<Figure<'_>> {
-    let figure = |(place, quantity): (usize, &'static Quantity)| {
+pub(crate) fn overlays(overlay: &Overlay) -> Vec<OverlayFigure<'_>> {
+    let figure = |(place, quantity): (usize, &'static OverlaidCurve)| {
         let own = overlay.curves.iter().filter(|(known, ..)| *known == place);
         let mut curves: Vec<(usize, &Points)> = own.map(|(_, design, points)| (*design, points)).collect();
         curves.sort_by_key(|(design, _)| *design);
@@ -127,23 +146,23 @@ pub(crate) fn overlays(overlay: &Overlay) -> Vec<Figure<'_>> {
         let largest = values.fold(0.0, |largest, value: f64| value.abs().max(largest));
         let has_prefix = matches!(quantity.unit, "N" | "J");
         let scale = Scale::fitting(if has_prefix { largest } else { 0.0 }, quantity.unit);
-        (!curves.is_empty()).then_some(Figure { quantity, scale, curves })
+        (!curves.is_empty()).then_some(OverlayFigure { quantity, scale, curves })
     };
-    QUANTITIES.iter().enumerate().filter_map(figure).collect()
+    CURVES.iter().enumerate().filter_map(figure).collect()
 }
 
-impl Figure<'_> {
+impl OverlayFigure<'_> {
     /// Where the page draws it.
     pub(crate) fn frame(&self) -> String {
         figure_frame(self.quantity.title, self.quantity.note, self.quantity.id)
     }
 
     /// The figure as `charts.js` takes it, with the designs' names and places in the palette.
-    pub(crate) fn json(&self, designs: &[Value]) -> Value {
+    pub(crate) fn json(&self, designs: &[Design]) -> Value {
         let curve = |(design, points): &(usize, &Points)| {
             let value = |value: &Option<f64>| value.map(|value| six_digits(value / self.scale.divisor));
             json!({
-                "name": designs[*design]["name"],
+                "name": designs[*design].name,
                 "x": points.iter().map(|(time, _)| six_digits(*time)).collect::<Vec<f64>>(),
                 "y": points.iter().map(|(_, known)| value(known)).collect::<Vec<_>>(),
                 "colour": design,

@@ -14,8 +14,9 @@ mod tables;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use netcast_results::folder;
-use serde_json::{Value, json};
+use netcast_results::comparison::Design;
+use netcast_results::{Comparison, Manifest, folder, read_json};
+use serde_json::json;
 
 use figures::{Overlay, overlays};
 use tables::{all_quantities, differences, headlines};
@@ -24,7 +25,7 @@ use crate::ReportError;
 use crate::format::escape;
 use crate::page::{CHARTS, fill, library, provenance};
 use crate::replay::{self, replay};
-use crate::results::{Results, read_json};
+use crate::results::Results;
 
 const FRAME: &str = include_str!("compare.html");
 const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("compare.css"));
@@ -36,17 +37,17 @@ const SCRIPT: &str = include_str!("compare.js");
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written.
 pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
-    let comparison = read_json(&comparison_dir.join(folder::SUMMARY))?;
-    let manifest = read_json(&comparison_dir.join(folder::MANIFEST))?;
-    let designs = comparison["designs"].as_array().map_or(&[][..], Vec::as_slice);
+    let comparison: Comparison = read_json(&comparison_dir.join(folder::SUMMARY))?;
+    let manifest = Manifest::read(&comparison_dir.join(folder::MANIFEST))?;
+    let designs = &comparison.designs;
     let mut overlay = Overlay::default();
     let mut replays = String::new();
     let mut notes = Vec::new();
     for (index, design) in designs.iter().enumerate() {
         // one at a time: the fields of a dozen designs need not be in memory together
-        let results = Results::read(&comparison_dir.join(text(&design["folder"])))?;
+        let results = Results::read(&comparison_dir.join(&design.folder))?;
         overlay.add(index, &results);
-        let name = text(&design["name"]);
+        let name = &design.name;
         match &results.scene {
             Some(scene) => {
                 let packed = replay(scene, &format!("replay-{index}"), replay::BUDGET_BYTES / designs.len());
@@ -58,16 +59,15 @@ pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
             }
         }
     }
-    let parts = Parts { comparison: &comparison, manifest: &manifest, designs, replays, notes };
+    let parts = Parts { comparison: &comparison, manifest: &manifest, replays, notes };
     let path = comparison_dir.join(folder::REPORT);
     fs::write(&path, parts.html(&overlay)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     Ok(path)
 }
 
 struct Parts<'c> {
-    comparison: &'c Value,
-    manifest: &'c Value,
-    designs: &'c [Value],
+    comparison: &'c Comparison,
+    manifest: &'c Manifest,
     /// Elements that hold the packed runs.
     replays: String,
     /// What of the replays is not shown.
@@ -76,29 +76,30 @@ struct Parts<'c> {
 
 impl Parts<'_> {
     fn html(&self, overlay: &Overlay) -> String {
+        let designs = &self.comparison.designs;
         let figures = overlays(overlay);
         let charts = figures.iter().map(|figure| figure.frame()).collect();
         let data = json!({
-            "designs": self.designs.iter().map(|design| &design["name"]).collect::<Vec<_>>(),
+            "designs": designs.iter().map(|design| &design.name).collect::<Vec<_>>(),
             "dashes": DASHES.map(|dash| dash.replace(' ', ",").replace("none", "solid")),
-            "figures": figures.iter().map(|figure| figure.json(self.designs)).collect::<Vec<_>>(),
+            "figures": figures.iter().map(|figure| figure.json(designs)).collect::<Vec<_>>(),
         });
         fill(
             FRAME,
             &[
-                ("title", escape(text(&self.comparison["title"]))),
+                ("title", escape(&self.comparison.title)),
                 ("style", STYLE.into()),
                 ("replay-style", replay::STYLE.into()),
-                ("designs", self.designs.iter().enumerate().map(|(index, design)| card(index, design)).collect()),
+                ("designs", designs.iter().enumerate().map(|(index, design)| card(index, design)).collect()),
                 ("failures", self.failures()),
                 ("differences", differences(self.comparison)),
                 ("headlines", headlines(self.comparison)),
                 ("quantities", all_quantities(self.comparison)),
                 ("source", self.source()),
-                ("stages", self.designs.iter().enumerate().map(|(index, design)| stage(index, design)).collect()),
+                ("stages", designs.iter().enumerate().map(|(index, design)| stage(index, design)).collect()),
                 ("replay-notes", self.notes.iter().map(|note| format!("<p>{}</p>\n", escape(note))).collect()),
                 ("figures", charts),
-                ("provenance", provenance(self.comparison, self.manifest)),
+                ("provenance", provenance(&self.comparison.netcast, self.manifest)),
                 // no `<` may stand within a script element
                 ("data", data.to_string().replace('<', "\\u003c")),
                 ("replays", self.replays.clone()),
@@ -112,14 +113,15 @@ impl Parts<'_> {
     /// The designs that failed, with why.
     fn failures(&self) -> String {
         let told: String = self
+            .comparison
             .designs
             .iter()
             .filter_map(|design| {
-                let name = escape(text(&design["name"]));
-                let why = match (&design["failure"], design["finished"].as_bool()) {
-                    (Value::String(failure), _) => escape(failure),
-                    (_, Some(false)) => "its run stopped before its end".into(),
-                    _ => return None,
+                let name = escape(&design.name);
+                let why = match (&design.failure, design.finished) {
+                    (Some(failure), _) => escape(failure),
+                    (None, false) => "its run stopped before its end".into(),
+                    (None, true) => return None,
                 };
                 Some(format!("<li><b>{name}</b>: {why}. It is shown as far as it came, and is never the best.</li>\n"))
             })
@@ -128,7 +130,7 @@ impl Parts<'_> {
     }
 
     fn source(&self) -> String {
-        match self.comparison["reported"].as_str() {
+        match &self.comparison.reported {
             Some(source) => format!(
                 "<p>Reported: {}. Beside each number, by how much the design's own lies above or below it.</p>",
                 escape(source)
@@ -139,22 +141,17 @@ impl Parts<'_> {
 }
 
 /// A design at the head of the page, with a link to its own report.
-fn card(index: usize, design: &Value) -> String {
-    let (name, title) = (escape(text(&design["name"])), escape(text(&design["title"])));
-    let state = match (design["failure"].is_null(), design["finished"].as_bool()) {
-        (true, Some(true)) => "",
-        (_, Some(false)) => "<span class=\"state stopped\">stopped early</span>",
-        _ => "<span class=\"state stopped\">failed</span>",
+fn card(index: usize, design: &Design) -> String {
+    let (name, title) = (escape(&design.name), escape(&design.title));
+    let state = match (design.finished, &design.failure) {
+        (true, None) => "",
+        (false, _) => "<span class=\"state stopped\">stopped early</span>",
+        (true, Some(_)) => "<span class=\"state stopped\">failed</span>",
     };
-    let warnings: String = design["warnings"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter(|warning| **warning != design["failure"])
-        .map(|warning| format!("<li>{}</li>", escape(text(warning))))
-        .collect();
+    let others = design.warnings.iter().filter(|warning| Some(*warning) != design.failure.as_ref());
+    let warnings: String = others.map(|warning| format!("<li>{}</li>", escape(warning))).collect();
     let warnings = if warnings.is_empty() { warnings } else { format!("<ul>{warnings}</ul>") };
-    let link = format!("{}/{}", percent_encoded(text(&design["folder"])), folder::REPORT);
+    let link = format!("{}/{}", percent_encoded(&design.folder), folder::REPORT);
     format!(
         "<li>{}<div><b>{name}</b>{state}<span>{title}</span>{warnings}\
          <a href=\"{link}\">its own report</a></div></li>\n",
@@ -163,8 +160,8 @@ fn card(index: usize, design: &Value) -> String {
 }
 
 /// Where a design is replayed.
-fn stage(index: usize, design: &Value) -> String {
-    let name = escape(text(&design["name"]));
+fn stage(index: usize, design: &Design) -> String {
+    let name = escape(&design.name);
     format!(
         "<figure class=\"stage\"><figcaption>{}<b>{name}</b></figcaption><div class=\"view\" id=\"view-{index}\" \
          data-design=\"{index}\" aria-label=\"Replay of {name}\"></div></figure>\n",
@@ -190,11 +187,6 @@ fn percent_encoded(name: &str) -> String {
     name.bytes()
         .map(|byte| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") })
         .collect()
-}
-
-/// A text of a summary; empty where there is none.
-pub(crate) fn text(value: &Value) -> &str {
-    value.as_str().unwrap_or_default()
 }
 
 #[cfg(test)]

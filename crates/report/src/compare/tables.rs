@@ -1,17 +1,18 @@
 //! The tables of a comparison: what differs in the inputs, and what came out, with the best of each row marked.
 
-use serde_json::Value;
+use netcast_results::comparison::Row;
+use netcast_results::{Better, Comparison};
+use serde_json::{Map, Value};
 
-use crate::compare::{swatch, text};
-use crate::format::{Scale, duration, escape, percent, significant};
-use crate::tables::grouped;
+use super::swatch;
+use crate::format::{Scale, duration, escape, grouped, percent, significant};
 
 /// What stands where a design has no such thing.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
 
 /// The inputs that differ, a row an input.
-pub(crate) fn differences(comparison: &Value) -> String {
-    let rows = elements(&comparison["differences"]);
+pub(crate) fn differences(comparison: &Comparison) -> String {
+    let rows = &comparison.differences;
     if rows.is_empty() {
         return "<p>Nothing: the designs have the same inputs.</p>".into();
     }
@@ -19,12 +20,12 @@ pub(crate) fn differences(comparison: &Value) -> String {
         .iter()
         .map(|row| {
             let cells: String = designs(comparison)
-                .map(|design| match input(&row["values"][design]) {
+                .map(|design| match row.values.get(design).and_then(input) {
                     Some(value) => format!("<td>{}</td>", escape(&value)),
                     None => "<td class=\"nothing\">absent</td>".into(),
                 })
                 .collect();
-            format!("<tr><th scope=\"row\"><code>{}</code></th>{cells}</tr>\n", escape(text(&row["path"])))
+            format!("<tr><th scope=\"row\"><code>{}</code></th>{cells}</tr>\n", escape(&row.path))
         })
         .collect();
     let heads: String = designs(comparison).enumerate().map(|(index, name)| head(index, name)).collect();
@@ -32,27 +33,26 @@ pub(crate) fn differences(comparison: &Value) -> String {
 }
 
 /// The quantities that a designer looks for first, and all that something is reported of.
-pub(crate) fn headlines(comparison: &Value) -> String {
-    let is_wanted =
-        |row: &&Value| row["headline"] == true || row["reported"].as_object().is_some_and(|r| !r.is_empty());
-    let rows: Vec<&Value> = elements(&comparison["table"]).iter().filter(is_wanted).collect();
+pub(crate) fn headlines(comparison: &Comparison) -> String {
+    let is_wanted = |row: &&Row| row.headline || !row.reported.is_empty();
+    let rows: Vec<&Row> = comparison.table.iter().filter(is_wanted).collect();
     results(comparison, &rows)
 }
 
 /// All quantities, a table a group.
-pub(crate) fn all_quantities(comparison: &Value) -> String {
-    let rows = elements(&comparison["table"]);
-    rows.chunk_by(|one, other| one["group"] == other["group"])
+pub(crate) fn all_quantities(comparison: &Comparison) -> String {
+    let groups = comparison.table.chunk_by(|one, other| one.group == other.group);
+    groups
         .map(|group| {
-            let rows: Vec<&Value> = group.iter().collect();
-            let title = escape(text(&group[0]["group"]));
+            let rows: Vec<&Row> = group.iter().collect();
+            let title = escape(&group[0].group);
             format!("<details><summary><h3>{title}</h3></summary>\n{}</details>\n", results(comparison, &rows))
         })
         .collect()
 }
 
 /// A table of results. A design that anything in the comparison is reported of has a second column for it.
-fn results(comparison: &Value, rows: &[&Value]) -> String {
+fn results(comparison: &Comparison, rows: &[&Row]) -> String {
     let reported: Vec<bool> = designs(comparison).map(|design| is_reported(rows, design)).collect();
     let heads: String = designs(comparison)
         .enumerate()
@@ -65,18 +65,17 @@ fn results(comparison: &Value, rows: &[&Value]) -> String {
     table("results", &format!("<th scope=\"col\">Quantity</th>{heads}"), &body)
 }
 
-fn is_reported(rows: &[&Value], design: &str) -> bool {
-    rows.iter().any(|row| !row["reported"][design].is_null())
+fn is_reported(rows: &[&Row], design: &str) -> bool {
+    rows.iter().any(|row| row.reported.get(design).is_some_and(|value| !value.is_null()))
 }
 
-fn result(comparison: &Value, row: &Value, reported: &[bool]) -> String {
+fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     let display = Display::of(row);
-    let best: Vec<&str> = elements(&row["best"]).iter().map(text).collect();
     let cells: String = designs(comparison)
         .zip(reported)
         .map(|(design, has_reported)| {
-            let own = match display.text(&row["values"][design]) {
-                Some(value) if best.contains(&design) => {
+            let own = match display.text(&row.values, design) {
+                Some(value) if row.best.iter().any(|best| best == design) => {
                     format!(
                         "<td class=\"best\"><span aria-hidden=\"true\">★ </span>{}<span class=\"said\"> (best)</span></td>",
                         escape(&value)
@@ -85,25 +84,25 @@ fn result(comparison: &Value, row: &Value, reported: &[bool]) -> String {
                 Some(value) => format!("<td>{}</td>", escape(&value)),
                 None => NOTHING.into(),
             };
-            let known = display.text(&row["reported"][design]).map_or("<td class=\"reported\"></td>".into(), |value| {
-                let by = row["deviation_percent"][design].as_f64().map(deviation);
+            let known = display.text(&row.reported, design).map_or("<td class=\"reported\"></td>".into(), |value| {
+                let by = row.deviation_percent.get(design).and_then(Value::as_f64).map(deviation);
                 let by = by.map_or(String::new(), |by| format!("<small>{by}</small>"));
                 format!("<td class=\"reported\">{}{by}</td>", escape(&value))
             });
             if *has_reported { own + &known } else { own }
         })
         .collect();
-    let wanted = match row["better"].as_str() {
-        Some("lower") => "<span class=\"wanted\" title=\"lower is better\">↓</span>",
-        Some("higher") => "<span class=\"wanted\" title=\"higher is better\">↑</span>",
-        _ => "",
+    let wanted = match row.better {
+        Some(Better::Lower) => "<span class=\"wanted\" title=\"lower is better\">↓</span>",
+        Some(Better::Higher) => "<span class=\"wanted\" title=\"higher is better\">↑</span>",
+        None => "",
     };
     let unit = if display.unit.is_empty() { String::new() } else { format!(", {}", display.unit) };
-    let unsteady = if row["reproducible"] == false { "<small>differs from run to run</small>" } else { "" };
+    let unsteady = if row.reproducible { "" } else { "<small>differs from run to run</small>" };
     format!(
         "<tr title=\"{}\"><th scope=\"row\">{}<span class=\"unit\">{}</span>{wanted}{unsteady}</th>{cells}</tr>\n",
-        escape(text(&row["quantity"])),
-        escape(text(&row["label"])),
+        escape(&row.quantity),
+        escape(&row.label),
         escape(&unit)
     )
 }
@@ -115,17 +114,17 @@ struct Display {
 }
 
 impl Display {
-    fn of(row: &Value) -> Self {
-        let all = [&row["values"], &row["reported"]].into_iter().flat_map(|values| values.as_object()).flatten();
+    fn of(row: &Row) -> Self {
+        let all = [&row.values, &row.reported].into_iter().flatten();
         let numbers: Vec<&Value> = all.map(|(_, value)| value).filter(|value| value.is_number()).collect();
         let largest = numbers.iter().filter_map(|value| value.as_f64()).fold(0.0, |most, v: f64| v.abs().max(most));
-        let quantity = text(&row["quantity"]);
+        let quantity = &row.quantity;
         let scaled = |factor: f64, unit: &str| Self {
             unit: unit.to_owned(),
             write: Box::new(move |value| significant(value * factor)),
         };
         let in_cell = |write: fn(f64) -> String| Self { unit: String::new(), write: Box::new(write) };
-        match text(&row["unit"]) {
+        match &row.unit[..] {
             "s" if quantity == "wall_time_s" || largest < 1e-3 => in_cell(duration),
             "s" => Self { unit: "s".into(), write: Box::new(|value| format!("{value:.3}")) },
             unit @ ("N" | "J") => {
@@ -139,8 +138,9 @@ impl Display {
         }
     }
 
-    fn text(&self, value: &Value) -> Option<String> {
-        match value {
+    /// The value of a design among those of a row; none where it has none.
+    fn text(&self, values: &Map<String, Value>, design: &str) -> Option<String> {
+        match values.get(design)? {
             Value::Number(number) => number.as_f64().map(&self.write),
             Value::String(text) => Some(text.clone()),
             Value::Bool(yes) => Some(if *yes { "yes".into() } else { "no".into() }),
@@ -187,12 +187,8 @@ fn input(value: &Value) -> Option<String> {
     }
 }
 
-fn designs(comparison: &Value) -> impl Iterator<Item = &str> {
-    elements(&comparison["designs"]).iter().map(|design| text(&design["name"]))
-}
-
-fn elements(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
+fn designs(comparison: &Comparison) -> impl Iterator<Item = &str> {
+    comparison.designs.iter().map(|design| &design.name[..])
 }
 
 fn head(index: usize, name: &str) -> String {

@@ -3,6 +3,7 @@
 //! `page.html` is the frame, `page.css` how it looks on screen and paper. `charts.js` draws the figures, the replay's
 //! scripts the net, and `page.js` links the two. The charting library is plotly.js, which the `plotly` crate carries.
 
+use netcast_results::{Manifest, OPEN_SHARE, Summary};
 use plotly::Plot;
 use serde_json::Value;
 
@@ -24,10 +25,10 @@ const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: that takes
 
 /// The whole page.
 pub(crate) fn html(results: &Results) -> String {
-    let summary = &results.summary;
+    let summary = results.summary();
     // of a single row there is no curve
     let figures = if is_equilibrium(summary) { Vec::new() } else { figures(results) };
-    let title = summary["title"].as_str().filter(|title| !title.trim().is_empty()).unwrap_or("Untitled scenario");
+    let title = results.title();
     fill(
         FRAME,
         &[
@@ -40,11 +41,11 @@ pub(crate) fn html(results: &Results) -> String {
             ("words", list_items(&words(summary))),
             ("postures", section("postures", "Postures", &postures_html(results))),
             ("clouds", section("clouds", "Tensions", &clouds_html(results))),
-            ("stowed", section("stowed", "The stowed state", &(stowed_html(results) + &stowed(summary)))),
+            ("stowed", section("stowed", "The stowed state", &(stowed_html(results) + &stowed(&results.file)))),
             ("inputs", section("inputs", "Inputs", &inputs(results))),
             ("figures", figures.iter().map(|figure| figure_frame(figure.title, figure.note, figure.id)).collect()),
-            ("tables", tables(summary)),
-            ("provenance", provenance(summary, &results.manifest)),
+            ("tables", tables(&results.file)),
+            ("provenance", provenance(&summary.netcast, &results.manifest)),
             ("data", data(&figures)),
             ("scripts", format!("{}{CHARTS}", replay::SCRIPT)),
             ("library", library()),
@@ -99,20 +100,15 @@ fn inputs(results: &Results) -> String {
     )
 }
 
-fn state(summary: &Value) -> String {
-    match summary["finished"].as_bool() {
-        Some(false) => "<span class=\"state stopped\">stopped early</span>".into(),
-        _ => String::new(),
-    }
+fn state(summary: &Summary) -> String {
+    if summary.finished { String::new() } else { "<span class=\"state stopped\">stopped early</span>".into() }
 }
 
-fn warnings(summary: &Value) -> String {
-    let warnings: Vec<String> =
-        summary["warnings"].as_array().into_iter().flatten().filter_map(Value::as_str).map(str::to_owned).collect();
-    if warnings.is_empty() {
+fn warnings(summary: &Summary) -> String {
+    if summary.warnings.is_empty() {
         return String::new();
     }
-    format!("<aside class=\"warnings\"><h2>Mind</h2><ul>{}</ul></aside>", list_items(&warnings))
+    format!("<aside class=\"warnings\"><h2>Mind</h2><ul>{}</ul></aside>", list_items(&summary.warnings))
 }
 
 fn list_items(lines: &[String]) -> String {
@@ -120,11 +116,15 @@ fn list_items(lines: &[String]) -> String {
 }
 
 /// The handful of numbers that a designer looks for first.
-fn tiles(summary: &Value) -> String {
-    let (opening, tension) = (&summary["opening"], &summary["tension"]);
+fn tiles(summary: &Summary) -> String {
+    let Summary { opening, tension, energy, .. } = summary;
     let at_rest = is_equilibrium(summary);
-    let area = opening["area_max_m2"].as_f64();
-    let share = area.zip(opening["reference_area_m2"].as_f64()).map(|(area, flat)| percent(area / flat));
+    let area = opening.area_max_m2;
+    let share = area.zip(opening.reference_area_m2).map(|(area, flat)| percent(area / flat));
+    let tractor = summary.points.get("tractor").and_then(Option::as_ref);
+    let is_known = |value: &f64| value.is_finite();
+    let tension_max = Some(tension.max_n).filter(is_known);
+    let open = format!("{} open for", percent(OPEN_SHARE));
     let tiles = [
         (
             if at_rest { "area" } else { "largest area" },
@@ -132,32 +132,32 @@ fn tiles(summary: &Value) -> String {
             share.map(|s| format!("{s} of flat")),
         ),
         (
-            "80 % open for",
-            opening["effective_duration_s"].as_f64().filter(|_| !at_rest).map(time),
-            opening["effective_from_s"].as_f64().map(|from| format!("from {}", time(from))),
+            &open,
+            opening.effective_duration_s.filter(|_| !at_rest).map(time),
+            opening.effective_from_s.map(|from| format!("from {}", time(from))),
         ),
         (
             "highest tension",
-            tension["max_n"].as_f64().map(|force| with_prefix(force, "N")),
-            tension["max_where"].as_str().map(|class| format!("{class} rope")),
+            tension_max.map(|force| with_prefix(force, "N")),
+            tension.max_where.as_ref().map(|class| format!("{class} rope")),
         ),
         (
             "tractors travel",
-            summary["points"]["tractor"]["peak_travel_m"]
-                .as_f64()
+            tractor
+                .and_then(|tractor| tractor.peak_travel_m)
                 .filter(|_| !at_rest)
                 .map(|travel| format!("{} m", significant(travel))),
             None,
         ),
         (
             "forces balance to",
-            summary["static"]["residual_relative"].as_f64().map(|share| format!("{share:.1e}")),
-            summary["static"]["tolerance"].as_f64().map(|tolerance| format!("{tolerance:.1e} allowed")),
+            summary.statics.as_ref().and_then(|found| found.residual_relative).map(|share| format!("{share:.1e}")),
+            summary.statics.as_ref().map(|found| format!("{:.1e} allowed", found.tolerance)),
         ),
         (
             "energy closes to",
-            summary["energy"]["closure"].as_f64().filter(|_| !at_rest).map(percent),
-            summary["energy"]["tolerance"].as_f64().map(|tolerance| format!("{} allowed", percent(tolerance))),
+            Some(energy.closure).filter(is_known).filter(|_| !at_rest).map(percent),
+            Some(energy.tolerance).filter(is_known).map(|tolerance| format!("{} allowed", percent(tolerance))),
         ),
     ];
     tiles
@@ -179,20 +179,19 @@ pub(crate) fn figure_frame(title: &str, note: &str, id: &str) -> String {
     )
 }
 
-pub(crate) fn provenance(summary: &Value, manifest: &Value) -> String {
-    let text = |value: &Value| value.as_str().map(str::to_owned);
-    let short = |value: &Value| value.as_str().map(|hash| hash.chars().take(12).collect::<String>());
-    let machine = &manifest["machine"];
+pub(crate) fn provenance(netcast: &str, manifest: &Manifest) -> String {
+    let short = |hash: &String| hash.chars().take(12).collect::<String>();
+    let machine = &manifest.machine;
     let facts = [
-        ("netcast", text(&summary["netcast"]).or(text(&manifest["version"]))),
-        ("revision", short(&manifest["revision"])),
-        ("inputs", short(&manifest["input_hash"])),
-        ("started", text(&manifest["started"])),
-        ("computed in", manifest["wall_time_s"].as_f64().map(duration)),
-        ("threads", manifest["threads"].as_u64().map(|threads| threads.to_string())),
-        ("on", text(&machine["cpu"])),
-        ("system", text(&machine["os"]).zip(text(&machine["arch"])).map(|(os, arch)| format!("{os} {arch}"))),
-        ("seed", manifest["seed"].as_u64().map(|seed| seed.to_string())),
+        ("netcast", Some(if netcast.is_empty() { manifest.version.clone() } else { netcast.to_owned() })),
+        ("revision", manifest.revision.as_ref().map(short)),
+        ("inputs", Some(short(&manifest.input_hash))),
+        ("started", Some(manifest.started.clone())),
+        ("computed in", Some(duration(manifest.wall_time_s))),
+        ("threads", Some(manifest.threads.to_string())),
+        ("on", machine.cpu.clone()),
+        ("system", Some(format!("{} {}", machine.os, machine.arch))),
+        ("seed", manifest.seed.map(|seed| seed.to_string())),
     ];
     facts
         .into_iter()

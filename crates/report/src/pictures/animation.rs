@@ -14,11 +14,12 @@ use resvg::tiny_skia::Pixmap;
 
 use super::camera::{Camera, View};
 use super::colour::{BINS, TensionScale, bin_colour};
-use super::moments::highest_tension;
+use super::key_frames::highest_tension;
 use super::net_picture::{Labelling, NetPicture, extent, open_share};
 use super::raster::pixels;
-use super::sheet::{KEY_SIZE, key, standalone, text};
+use super::sheet::{KEY_SIZE, key, standalone};
 use super::strands::Strands;
+use super::svg_text::text;
 use super::theme::light_rgb;
 use crate::format::{percent, time};
 use crate::results::Scene;

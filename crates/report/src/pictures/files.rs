@@ -23,8 +23,7 @@ const ZOOM: f32 = 2.0;
 pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let results = Results::read(result_dir)?;
     let scene = results.scene.as_ref().ok_or_else(|| no_fields(result_dir))?;
-    let title =
-        results.summary["title"].as_str().filter(|title| !title.trim().is_empty()).unwrap_or("Untitled scenario");
+    let title = results.title();
 
     let aside = Aside::create(result_dir)?;
     let mut names = Vec::new();

@@ -4,7 +4,7 @@
 //!  Scene ─▶ strands  ropes as few polylines ─┐
 //!           camera   where one looks from    ├─▶ net_picture ─▶ sheet ─▶ SVG in the page, SVG file
 //!           colour   tension in twelve bins ─┘                    │            │
-//!  summary ─▶ moments which frames ────────────────▶ sheets ──────┘         raster ─▶ PNG
+//!  summary ─▶ key_frames  which frames ────────────▶ sheets ──────┘         raster ─▶ PNG
 //!  history ─▶ curves ─▶ SVG file ──────────────────────────────────────┘   └─▶ animation ─▶ GIF
 //! ```
 //!
@@ -16,13 +16,14 @@ mod camera;
 mod colour;
 mod curves;
 mod files;
-mod moments;
+mod key_frames;
 mod net_picture;
 mod raster;
 mod series;
 mod sheet;
 mod sheets;
 mod strands;
+mod svg_text;
 mod theme;
 
 pub use files::write_pictures;

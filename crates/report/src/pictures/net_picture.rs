@@ -4,19 +4,16 @@
 //! size and attitude, or are dots of the least size that can be seen. The outline is shaded while the web counts as open.
 
 use glam::{DVec2, DVec3, IVec2};
-use netcast_results::{BodyKind, BodyMark, CanopyMark};
+use netcast_results::{BodyKind, BodyMark, CanopyMark, OPEN_SHARE};
 
 use super::body_outline::outline;
 use super::camera::Camera;
 use super::colour::{BINS, TensionScale};
 use super::series;
-use super::sheet::text as safe;
 use super::strands::Strands;
+use super::svg_text::text as safe;
 use super::theme::bin_stroke;
 use crate::results::Scene;
-
-/// The share of the flat web's area from which a web counts as open.
-const OPEN_SHARE: f64 = 0.8;
 
 /// Coordinates are whole tenths of a pixel.
 const TENTHS: f64 = 10.0;

@@ -6,6 +6,7 @@ use super::camera::{Camera, View};
 use super::colour::{BINS, TensionScale};
 use super::net_picture::{Labelling, NetPicture, extent};
 use super::strands::Strands;
+use super::svg_text::text;
 use super::theme::{bin_stroke, standalone_style};
 use crate::format::escape;
 use crate::results::Scene;
@@ -168,11 +169,6 @@ pub(crate) fn standalone(width: f64, height: f64) -> String {
     )
 }
 
-/// Text for an SVG file. XML has no place for control characters.
-pub(crate) fn text(content: &str) -> String {
-    escape(&content.replace(char::is_control, " "))
-}
-
 /// Width and height of the key to the colours, px.
 pub(crate) const KEY_SIZE: (f64, f64) = (460.0, 46.0);
 
@@ -216,11 +212,6 @@ mod tests {
             assert!((extent * px_per_m).cmple(size - 2.0 * MARGIN + 0.5).all(), "{extent}: {size}");
             assert!(size.y >= 150.0 && size.y <= 330.0, "{size}");
         }
-    }
-
-    #[test]
-    fn a_title_may_hold_anything() {
-        assert_eq!(text("<b>\u{0} & \"net\"\n"), "&lt;b&gt;  &amp; &quot;net&quot; ");
     }
 
     #[test]

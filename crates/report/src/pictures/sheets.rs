@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::camera::{Camera, View};
 use super::colour::TensionScale;
-use super::moments::{self, Moment, highest_tension};
+use super::key_frames::{self, KeyFrame, highest_tension};
 use super::net_picture::{extent, open_share};
 use super::sheet::{Cell, Sheet};
 use crate::format::{percent, significant, time, with_prefix};
@@ -17,7 +17,7 @@ const THREE_QUARTER: &str = "Seen from the side and 23° above, launch axis up; 
 
 /// The web's posture at eight moments.
 pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
-    let moments = moments::postures(results, scene, POSTURES);
+    let moments = key_frames::postures(results, scene, POSTURES);
     let shaded = "Per cent: area of the outline over that of the flat web; shaded from 80 % on. Middle at: its travel since launch.";
     let has_outline = !scene.landmarks.outline.is_empty();
     let cells = moments
@@ -38,8 +38,8 @@ pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
 
 /// What the ropes bear at six moments.
 pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
-    let moments = moments::tensions(results, scene, CLOUDS);
-    let up_to = |moment: &Moment| Some(format!("up to {}", with_prefix(highest_tension(scene, moment.frame), "N")));
+    let moments = key_frames::tensions(results, scene, CLOUDS);
+    let up_to = |moment: &KeyFrame| Some(format!("up to {}", with_prefix(highest_tension(scene, moment.frame), "N")));
     let cells = moments.iter().map(|moment| cell(moment, [moment_time(scene, moment), up_to(moment)]));
     Sheet {
         scene,
@@ -99,48 +99,46 @@ pub(crate) fn stowed_html(results: &Results) -> String {
 
 /// Where ropes that are not tied together come nearest, m, and a note that says so.
 fn closest_approach(results: &Results) -> Option<(DVec3, String)> {
-    let stowed = &results.summary["stowed"];
-    let place = stowed["closest_approach_at_m"].as_array()?;
-    let [x, y, z] = [0, 1, 2].map(|axis| place.get(axis).and_then(|at| at.as_f64()));
-    let distance = stowed["closest_approach_m"].as_f64()?;
+    let stowed = &results.summary().stowed;
+    let (place, distance) = (stowed.closest_approach_at_m?, stowed.closest_approach_m?);
     let note = format!(
         "The ring marks where ropes that are not tied together come nearest: {} between their centre lines.",
         with_prefix(distance, "m")
     );
-    Some((DVec3::new(x?, y?, z?), note))
+    Some((DVec3::from(place), note))
 }
 
-fn cell<const N: usize>(moment: &Moment, facts: [Option<String>; N]) -> Cell {
+fn cell<const N: usize>(moment: &KeyFrame, facts: [Option<String>; N]) -> Cell {
     // a fact is not broken over two lines
     let facts = facts.into_iter().flatten().map(|fact| fact.replace(' ', "\u{a0}"));
     let caption = facts.collect::<Vec<String>>().join(" · ");
     Cell { frame: moment.frame, view: View::ThreeQuarter, name: moment.name.into(), caption }
 }
 
-fn moment_time(scene: &Scene, moment: &Moment) -> Option<String> {
+fn moment_time(scene: &Scene, moment: &KeyFrame) -> Option<String> {
     Some(time(scene.fields.times[moment.frame]))
 }
 
-fn share(scene: &Scene, moment: &Moment) -> Option<String> {
+fn share(scene: &Scene, moment: &KeyFrame) -> Option<String> {
     open_share(scene, moment.frame).map(|share| format!("{} of flat", percent(share)))
 }
 
-fn travel(scene: &Scene, moment: &Moment) -> Option<String> {
+fn travel(scene: &Scene, moment: &KeyFrame) -> Option<String> {
     let centre = &scene.landmarks.centre;
     let along = |frame: usize| scene.mean(frame, centre).dot(scene.landmarks.axis);
     (!centre.is_empty()).then(|| format!("middle at {:.2} m", along(moment.frame) - along(0)))
 }
 
-fn scale(scene: &Scene, moments: &[Moment]) -> TensionScale {
+fn scale(scene: &Scene, moments: &[KeyFrame]) -> TensionScale {
     TensionScale::up_to(moments.iter().map(|moment| highest_tension(scene, moment.frame)).fold(0.0, f64::max))
 }
 
 /// Where the highest tension of the run fell between two frames, and so is in no picture.
 fn missed_peak(results: &Results, scene: &Scene) -> Option<String> {
-    let tension = &results.summary["tension"];
-    let (highest, at) = (tension["max_n"].as_f64()?, tension["max_time_s"].as_f64()?);
+    let tension = &results.summary().tension;
+    let (highest, at) = (tension.max_n, tension.max_time_s?);
     let shown = (0..scene.frames()).map(|frame| highest_tension(scene, frame)).fold(0.0, f64::max);
-    let class = tension["max_where"].as_str()?;
+    let class = tension.max_where.as_ref()?;
     (highest > 1.01 * shown).then(|| {
         let highest = with_prefix(highest, "N");
         format!(

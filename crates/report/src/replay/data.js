@@ -62,6 +62,8 @@ async function decode(element) {
     classes: told.classes,
     areas: told.areas_m2,
     referenceArea: told.reference_area_m2,
+    /** Share of the flat web's area from which a web counts as open. */
+    openFrom: told.open_share,
     outline: told.outline,
     tractors: told.tractors,
     points: told.points,

@@ -18,7 +18,7 @@ use std::io::Write;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use glam::DVec3;
-use netcast_results::BodyShape;
+use netcast_results::{BodyShape, OPEN_SHARE};
 use serde_json::{Value, json};
 
 use super::thin::Drawn;
@@ -215,6 +215,7 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "ground_m": landmarks.ground,
         "areas_m2": frames.iter().map(|&frame| area(scene, frame)).collect::<Vec<_>>(),
         "reference_area_m2": landmarks.reference_area,
+        "open_share": OPEN_SHARE,
         "outline": landmarks.outline.iter().map(|nodes| places(nodes)).collect::<Vec<_>>(),
         "tractors": places(&landmarks.tractors),
         "points": points

@@ -1,8 +1,5 @@
 // One net on one canvas: ropes, canopies, bodies, the shaded outline, the ground or the muzzle plane, and labels over it.
 
-/** Share of the flat web's area from which a web counts as open. */
-const OPEN = 0.8;
-
 /** The step of 1, 2, 5, 10 ... that divides a length into at most so many parts. */
 function niceStep(length, parts) {
   const rough = Math.max(length, 1e-9) / parts,
@@ -452,7 +449,7 @@ class View {
     const fan = (middle, rim) =>
       rim.flatMap((corner, place) => [...middle, ...corner, ...rim[(place + 1) % rim.length]]);
     const sheets = [];
-    if (this.openShare >= OPEN && data.outline.length > 2) {
+    if (this.openShare >= data.openFrom && data.outline.length > 2) {
       const rim = data.outline.map((nodes) =>
         scaled(nodes.map((node) => this.place(node)).reduce(add), 1 / nodes.length),
       );
@@ -480,6 +477,6 @@ class View {
     if (area === null) return;
     const open = share === null ? "" : ` · ${(100 * share).toFixed(0)} % of flat`;
     this.state.textContent = `${area.toFixed(area < 9.995 ? 2 : 1)} m²${open}`;
-    this.state.classList.toggle("open", share !== null && share >= OPEN);
+    this.state.classList.toggle("open", share !== null && share >= this.data.openFrom);
   }
 }

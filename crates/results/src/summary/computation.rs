@@ -26,7 +26,7 @@ section! {
     /// The time step and what holds it down.
     StepSize, "step" {
         /// Step size.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         dt_s: f64 => "Time step", Duration;
         /// Steps taken.
         count: u64 => "Steps", Count;
@@ -41,29 +41,29 @@ section! {
     /// The energy balance at the end of the run. What a file does not tell is read as not a number.
     EnergyBalance, "energy" {
         /// Total energy at the start.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         initial_j: f64 => "Total energy at the start", Energy;
         /// Total energy at the end.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         final_j: f64 => "Total energy at the end", Energy;
         /// |residual| over the largest total energy of the run.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         closure: f64 => "Energy balance closes to", Share;
         /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
         closure_web: Option<f64> => "Energy balance of the web closes to", Share;
         /// Each channel of the energy, integrated in its own right.
         channels: BTreeMap<String, f64> => "Energy at the end, {}", Energy, by_name;
         /// What the channels leave unexplained at the end.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         residual_j: f64 => "Energy residual", Energy;
         /// The largest residual at any record time, by which the balance closes.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         largest_residual_j: f64 => "Largest energy residual", Energy, not_in_table;
         /// What the energy balance was asked to close to.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         tolerance: f64 => "Energy balance asked to close to", Share, not_in_table;
         /// What the energy balance of the web was asked to close to.
-        #[serde(default = "super::unknown")]
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         tolerance_web: f64 => "Energy balance of the web asked to close to", Share, not_in_table;
     }
 }

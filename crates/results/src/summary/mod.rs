@@ -62,6 +62,7 @@ pub struct Summary {
     /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
     pub points: BTreeMap<String, Option<PointExtremes>>,
     /// Rope tension.
+    #[serde(default = "unread")]
     pub tension: Tension,
     /// The segments that broke, in order.
     pub breaks: Vec<BrokenSegment>,

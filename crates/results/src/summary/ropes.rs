@@ -10,6 +10,7 @@ section! {
     /// Rope tension, per rope, over every step.
     Tension, "tension" {
         /// Highest tension of any rope at any step.
+        #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         max_n: f64 => "Highest tension", Force, lower, headline, not_in_table;
         /// When it occurred.
         max_time_s: Option<f64> => "Highest tension at", Time, not_in_table;

@@ -1,13 +1,14 @@
 //! Which moments of a run are worth a picture: those that mean something to a designer.
 
-use serde_json::Value;
+use netcast_results::Summary;
+use netcast_results::summary::PointExtremes;
 
 use super::colour::SLACK_BELOW;
 use crate::results::{Results, Scene};
 
 /// A frame and what it shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Moment {
+pub(crate) struct KeyFrame {
     pub frame: usize,
     pub name: &'static str,
 }
@@ -16,45 +17,45 @@ pub(crate) struct Moment {
 const LEAST_GAP: f64 = 0.004;
 
 /// Up to `count` moments of the opening, in order of time.
-pub(crate) fn postures(results: &Results, scene: &Scene, count: usize) -> Vec<Moment> {
-    let summary = &results.summary;
-    let (opening, points, posture) = (&summary["opening"], &summary["points"], &summary["posture"]);
+pub(crate) fn postures(results: &Results, scene: &Scene, count: usize) -> Vec<KeyFrame> {
+    let summary = results.summary();
+    let (opening, posture) = (&summary.opening, &summary.posture);
     let end = scene.frames() - 1;
-    let turning =
-        points["tractor"]["peak_travel_time_s"].as_f64().filter(|time| *time < 0.98 * scene.fields.times[end]);
+    let turning = point(summary, "tractor").and_then(|tractor| tractor.peak_travel_time_s);
+    let turning = turning.filter(|time| *time < 0.98 * scene.fields.times[end]);
     let wanted = [
         (Some(0), start_name(summary)),
         (Some(end), "at the end"),
-        (at(scene, &opening["area_max_time_s"]), "largest area"),
+        (at(scene, opening.area_max_time_s), "largest area"),
         // within the spell, not beside it
-        (opening["effective_from_s"].as_f64().map(|time| first_from(scene, time)), "80 % open"),
-        (opening["effective_to_s"].as_f64().map(|time| last_until(scene, time)), "80 % open until here"),
-        (at(scene, &posture["convex_from_s"]), "the middle takes the lead"),
-        (at(scene, &points["centre"]["starts_s"]), "the middle sets off"),
+        (opening.effective_from_s.map(|time| first_from(scene, time)), "80 % open"),
+        (opening.effective_to_s.map(|time| last_until(scene, time)), "80 % open until here"),
+        (at(scene, posture.convex_from_s), "the middle takes the lead"),
+        (at(scene, starts(summary, "centre")), "the middle sets off"),
         (turning.map(|time| scene.frame_at(time)), "tractors at their farthest"),
-        (at(scene, &points["corner"]["starts_s"]), "the corners set off"),
+        (at(scene, starts(summary, "corner")), "the corners set off"),
     ];
     chosen(results, scene, &wanted, count)
 }
 
 /// Up to `count` moments of the ropes' tensions, in order of time.
-pub(crate) fn tensions(results: &Results, scene: &Scene, count: usize) -> Vec<Moment> {
-    let (summary, end) = (&results.summary, scene.frames() - 1);
-    let (opening, points) = (&summary["opening"], &summary["points"]);
+pub(crate) fn tensions(results: &Results, scene: &Scene, count: usize) -> Vec<KeyFrame> {
+    let (summary, end) = (results.summary(), scene.frames() - 1);
+    let opening = &summary.opening;
     let hardest = (0..scene.frames()).max_by(|&one, &other| {
         highest_tension(scene, one).total_cmp(&highest_tension(scene, other)).then(other.cmp(&one))
     });
-    let closed = opening["effective_to_s"].as_f64().map(|time| first_from(scene, time));
+    let closed = opening.effective_to_s.map(|time| first_from(scene, time));
     let late = closed.map(|closed| (closed + end) / 2);
-    let halfway = at(scene, &opening["area_max_time_s"]).and_then(|largest| half_open(results, scene, largest));
+    let halfway = at(scene, opening.area_max_time_s).and_then(|largest| half_open(results, scene, largest));
     let wanted = [
         (hardest, "highest tension"),
-        (at(scene, &opening["area_max_time_s"]), "largest area"),
+        (at(scene, opening.area_max_time_s), "largest area"),
         (halfway, "halfway to the largest area"),
-        (at(scene, &points["centre"]["starts_s"]), "the middle sets off"),
+        (at(scene, starts(summary, "centre")), "the middle sets off"),
         (closed, "no longer 80 % open"),
         (late, "late"),
-        (at(scene, &points["corner"]["starts_s"]), "the corners set off"),
+        (at(scene, starts(summary, "corner")), "the corners set off"),
         (Some(end), "at the end"),
     ];
     chosen(results, scene, &wanted, count)
@@ -68,19 +69,19 @@ pub(crate) fn highest_tension(scene: &Scene, frame: usize) -> f64 {
 }
 
 /// The most wanted of some moments, filled up in the widest gaps between them.
-fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static str)], count: usize) -> Vec<Moment> {
+fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static str)], count: usize) -> Vec<KeyFrame> {
     let times = &scene.fields.times;
     let length = times[scene.frames() - 1] - times[0];
-    let mut moments: Vec<Moment> = Vec::new();
+    let mut moments: Vec<KeyFrame> = Vec::new();
     for &(frame, name) in wanted {
         let Some(frame) = frame else { continue };
-        let is_apart = |moment: &Moment| (times[moment.frame] - times[frame]).abs() > LEAST_GAP * length;
+        let is_apart = |moment: &KeyFrame| (times[moment.frame] - times[frame]).abs() > LEAST_GAP * length;
         if moments.len() < count && moments.iter().all(is_apart) {
-            moments.push(Moment { frame, name });
+            moments.push(KeyFrame { frame, name });
         }
     }
     moments.sort_by_key(|moment| moment.frame);
-    let largest = at(scene, &results.summary["opening"]["area_max_time_s"]);
+    let largest = at(scene, results.summary().opening.area_max_time_s);
     while moments.len() < count {
         // a gap that holds a frame
         let gaps = (1..moments.len()).filter(|&place| moments[place].frame - moments[place - 1].frame > 1);
@@ -94,18 +95,28 @@ fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static s
             Some(_) => "closing",
             None => "on the way",
         };
-        moments.insert(place, Moment { frame, name });
+        moments.insert(place, KeyFrame { frame, name });
     }
     moments
 }
 
-fn start_name(summary: &Value) -> &'static str {
-    let is_launched = summary["points"]["tractor"]["peak_speed_m_s"].as_f64().is_some_and(|speed| speed > 0.0);
+fn start_name(summary: &Summary) -> &'static str {
+    let speed = point(summary, "tractor").and_then(|tractor| tractor.peak_speed_m_s);
+    let is_launched = speed.is_some_and(|speed| speed > 0.0);
     if is_launched { "stowed" } else { "at the start" }
 }
 
-fn at(scene: &Scene, time: &Value) -> Option<usize> {
-    time.as_f64().map(|time| scene.frame_at(time))
+fn point<'s>(summary: &'s Summary, name: &str) -> Option<&'s PointExtremes> {
+    summary.points.get(name)?.as_ref()
+}
+
+/// When a point sets off, s.
+fn starts(summary: &Summary, name: &str) -> Option<f64> {
+    point(summary, name)?.starts_s
+}
+
+fn at(scene: &Scene, time: Option<f64>) -> Option<usize> {
+    time.map(|time| scene.frame_at(time))
 }
 
 fn first_from(scene: &Scene, time: f64) -> usize {
@@ -118,7 +129,7 @@ fn last_until(scene: &Scene, time: f64) -> usize {
 
 /// The first frame at which half of the largest area is open; none where it is from the start.
 fn half_open(results: &Results, scene: &Scene, largest: usize) -> Option<usize> {
-    let half = 0.5 * results.summary["opening"]["area_max_m2"].as_f64()?;
+    let half = 0.5 * results.summary().opening.area_max_m2?;
     let area = |frame: usize| {
         let positions = scene.fields.positions(frame);
         scene.landmarks.outline_area(|node| positions[node]).map_or(0.0, |area| area.dot(scene.landmarks.axis).abs())
