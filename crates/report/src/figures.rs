@@ -2,7 +2,7 @@
 //!
 //! A figure is data without colours; `page.js` draws it in those of the reader's theme.
 
-use netcast_results::OPEN_SHARE;
+use netcast_results::{Column, Dimension, OPEN_SHARE, columns};
 use serde_json::{Value, json};
 
 use crate::format::{Scale, percent};
@@ -42,27 +42,16 @@ pub(crate) enum Style {
 
 /// The figures that a result has anything for, in the order of the page.
 pub(crate) fn figures(results: &Results) -> Vec<Figure> {
-    [
-        areas,
-        coverage,
-        speeds,
-        travels,
-        class_tensions,
-        point_tensions,
-        canopy_tensions,
-        thread_tensions,
-        postures,
-        tilt,
-        asymmetry,
-        heights,
-        energies,
-        residual,
-    ]
-    .iter()
-    .filter_map(|figure| figure(results))
-    .filter(|figure| !figure.curves.is_empty())
-    .collect()
+    let before: [MakeFigure; 9] =
+        [areas, coverage, speeds, travels, class_tensions, point_tensions, canopy_tensions, thread_tensions, postures];
+    let after: [MakeFigure; 3] = [heights, energies, residual];
+    let made = |figures: &[MakeFigure]| figures.iter().filter_map(|figure| figure(results)).collect::<Vec<_>>();
+    let alone = columns().filter_map(|(column, _)| of_column(results, &column));
+    let all = made(&before).into_iter().chain(alone).chain(made(&after));
+    all.filter(|figure| !figure.curves.is_empty()).collect()
 }
+
+type MakeFigure = fn(&Results) -> Option<Figure>;
 
 fn areas(results: &Results) -> Option<Figure> {
     let time = times(results)?;
@@ -126,28 +115,18 @@ fn postures(results: &Results) -> Option<Figure> {
     })
 }
 
-fn tilt(results: &Results) -> Option<Figure> {
-    Some(Figure {
-        id: "tilt",
-        title: "Tilt of the mouth",
-        note: "Angle between the mouth and the launch axis.",
-        quantity: "tilt",
-        unit: "°".into(),
-        curves: vec![single(results, "mouth_tilt_rad", "tilt", 1.0_f64.to_degrees())?],
-        shaded: None,
-    })
-}
-
-fn asymmetry(results: &Results) -> Option<Figure> {
-    Some(Figure {
-        id: "asymmetry",
-        title: "Asymmetry of the mouth",
-        note: "Spread of the corners' reach, each over that in the flat web.",
-        quantity: "asymmetry",
-        unit: "%".into(),
-        curves: vec![single(results, "mouth_asymmetry", "asymmetry", 100.0)?],
-        shaded: None,
-    })
+/// The figure of a column that has one to itself.
+fn of_column(results: &Results, column: &Column) -> Option<Figure> {
+    let (title, name) = column.figure?;
+    let (factor, unit) = match (column.dimension, column.dimension.unit()) {
+        (Dimension::Angle, _) => (1.0_f64.to_degrees(), "°".into()),
+        (Dimension::Share, _) => (100.0, "%".into()),
+        (_, unit) => (1.0, unit.replace("^2", "²").replace("^3", "³")),
+    };
+    let (curves, shaded) = (vec![single(results, column.name, name, factor)?], None);
+    let figure = Figure { id: name, title, note: column.definition, quantity: name, unit, curves, shaded };
+    let has_prefix = matches!(column.dimension, Dimension::Force | Dimension::Energy);
+    Some(if has_prefix { scaled(figure, column.dimension.unit()) } else { figure })
 }
 
 fn heights(results: &Results) -> Option<Figure> {

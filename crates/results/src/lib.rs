@@ -8,10 +8,14 @@
 //!  Manifest  who ran what, where and when      manifest.json
 //! ```
 //!
-//! [`ResultFolder`] writes them aside and swaps them in when they are complete, so that a reader never meets half
+//! [`quantities`] is the table of all numbers of the summary: key, name, unit, which way is better, definition; and
+//! [`columns`] that of the history.
+//!
+//! [`ResultFolder`] writes the files aside and swaps them in when they are complete, so that a reader never meets half
 //! a result. While a run goes on, its history and fields are on the disk already and a [`Checkpoint`] now and then, so
-//! that it can go on after a crash; [`recover`] makes what it left readable. Everything is in SI and says its unit in its name. The same run gives the same bytes in every file but
-//! the manifest, which alone knows the clock and the machine, and `wall_time_s` in the summary.
+//! that it can go on after a crash; [`recover`] makes what it left readable. Everything is in SI and says its unit in
+//! its name. The same run gives the same bytes in every file but the manifest, which alone knows the clock and the
+//! machine, and `wall_time_s` in the summary.
 
 mod checkpoint;
 mod column;

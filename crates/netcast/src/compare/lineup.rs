@@ -76,9 +76,12 @@ impl Lineup {
             }
         }
         // an override is the same for all designs: where it is wrong for some, they are named
-        found.extend(overridden.into_iter().map(|(fault, names)| match names.len() == scenarios {
-            true => fault,
-            false => Diagnostic { message: format!("{} (for {})", fault.message, names.join(", ")), ..fault },
+        found.extend(overridden.into_iter().map(|(fault, names)| {
+            if names.len() == scenarios {
+                fault
+            } else {
+                Diagnostic { message: format!("{} (for {})", fault.message, names.join(", ")), ..fault }
+            }
         }));
         Diagnostics::fail_if_any(found)?;
         let designs = names.into_iter().zip(origins).map(|(name, origin)| Design { name, origin }).collect();

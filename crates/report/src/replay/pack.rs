@@ -161,10 +161,7 @@ impl Tensions {
         let borne = |&frame: &usize| ropes.iter().map(move |&segment| scene.fields.tensions(frame)[segment]);
         let mut taut: Vec<f64> = frames.iter().flat_map(borne).filter(|&tension| tension > 0.0).collect();
         let place = (taut.len() as f64 * LINEAR_SCALE_SHARE) as usize;
-        let linear_top = match place < taut.len() {
-            true => *taut.select_nth_unstable_by(place, f64::total_cmp).1,
-            false => 1.0,
-        };
+        let linear_top = if place < taut.len() { *taut.select_nth_unstable_by(place, f64::total_cmp).1 } else { 1.0 };
         Self { largest: taut.iter().copied().filter(|tension| tension.is_finite()).fold(1e-9, f64::max), linear_top }
     }
 

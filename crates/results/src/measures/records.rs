@@ -12,7 +12,7 @@ use super::steps::OPEN_SHARE;
 use crate::column::{Column, ColumnOf};
 use crate::geometry::mean;
 use crate::landmarks::Landmarks;
-use crate::quantity::Dimension;
+use crate::quantity::Dimension::{Angle, Area, Length, Share};
 use crate::summary::{Mouth, Summary, TargetCoverage};
 
 /// The share of the target from which it counts as covered.
@@ -31,36 +31,29 @@ pub struct WebState {
 
 /// The columns of the history that a record of the whole web fills, each with its value.
 pub(crate) const COLUMNS: &[ColumnOf<WebState>] = &[
-    (Column::new("shadow_area_m2", Dimension::Area, "Area of the silhouette along the launch axis."), |web| {
-        web.shadow_area
-    }),
-    (Column::new("target_coverage", Dimension::Share, "Share of the target that the silhouette covers."), |web| {
+    (Column::new("shadow_area_m2", Area, "Area of the silhouette along the launch axis."), |web| web.shadow_area),
+    (Column::new("target_coverage", Share, "Share of the target that the silhouette covers."), |web| {
         web.target_coverage
     }),
     (
-        Column::new("mouth_tilt_rad", Dimension::Angle, "Angle between the outline's vector area and the launch axis."),
+        Column::new("mouth_tilt_rad", Angle, "Angle between the mouth and the launch axis.")
+            .drawn("Tilt of the mouth", "tilt"),
         |web| web.mouth.tilt,
     ),
     (
-        Column::new(
-            "mouth_asymmetry",
-            Dimension::Share,
-            "Spread of the corners' reach, each over that in the flat web.",
-        ),
+        Column::new("mouth_asymmetry", Share, "Spread of the corners' reach, each over that in the flat web.")
+            .drawn("Asymmetry of the mouth", "asymmetry"),
         |web| web.mouth.asymmetry,
     ),
-    (
-        Column::new("posture", Dimension::Share, "How far the middle leads the outline, over the flat web's size."),
-        |web| web.posture,
-    ),
-    (
-        Column::new("mass_centre_travel_m", Dimension::Length, "Travel of the web's centre of mass along the axis."),
-        |web| Some(web.mass_centre_travel),
-    ),
-    (
-        Column::new("mass_centre_height_m", Dimension::Length, "Height of the web's centre of mass above the muzzle."),
-        |web| Some(web.mass_centre_height),
-    ),
+    (Column::new("posture", Share, "How far the middle leads the outline, over the flat web's size."), |web| {
+        web.posture
+    }),
+    (Column::new("mass_centre_travel_m", Length, "Travel of the web's centre of mass along the launch axis."), |web| {
+        Some(web.mass_centre_travel)
+    }),
+    (Column::new("mass_centre_height_m", Length, "Height of the web's centre of mass above the muzzle."), |web| {
+        Some(web.mass_centre_height)
+    }),
 ];
 
 /// Takes the records of a run in.

@@ -39,3 +39,37 @@ impl SummaryFile {
         self.values["designs"].is_array()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    fn read(text: &str) -> Result<SummaryFile, ResultError> {
+        let result = tempfile::tempdir().unwrap();
+        fs::write(result.path().join(folder::SUMMARY), text).unwrap();
+        SummaryFile::read(result.path())
+    }
+
+    #[test]
+    fn a_file_of_another_version_reads_with_what_it_has() {
+        // as `recover` writes it, with a key that nobody knows yet
+        let file = read(r#"{"title": "A net", "wall_time_s": null, "finished": false, "capture": {"held_s": 2.0}}"#);
+        let SummaryFile { summary, values } = file.unwrap();
+        assert_eq!((&summary.title[..], summary.finished), ("A net", false));
+        // not 0, which would say that the balance closes
+        assert!(summary.energy.closure.is_nan() && summary.tension.max_n.is_nan() && summary.wall_time_s.is_nan());
+        assert_eq!(summary.opening, Default::default());
+        assert_eq!(values["capture"]["held_s"], 2.0);
+        assert!(read("{}").unwrap().summary.finished);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_named_by_file_and_key() {
+        let error = read(r#"{"opening": {"area_max_m2": "wide"}}"#).unwrap_err().to_string();
+        assert!(error.contains("summary.json") && error.contains("opening.area_max_m2: "), "{error}");
+        let error = read("{\"title\": \"A net\",\n").unwrap_err().to_string();
+        assert!(error.contains("summary.json is not a valid result: EOF") && error.contains("line 2"), "{error}");
+    }
+}

@@ -1,0 +1,130 @@
+//! A field file, read back.
+
+use std::path::Path;
+
+use glam::{DQuat, DVec3};
+use hdf5_pure::File;
+
+use super::topology::FieldsTopology;
+use crate::ResultError;
+
+/// What a field file holds, read back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fields {
+    /// What stays the same in every step.
+    pub topology: FieldsTopology,
+    /// The time of each step, s.
+    pub times: Vec<f64>,
+    positions: Vec<DVec3>,
+    velocities: Vec<DVec3>,
+    tensions: Vec<f64>,
+    orientations: Vec<DQuat>,
+}
+
+impl Fields {
+    /// The position of each node at a step, m.
+    ///
+    /// # Panics
+    /// Where there is no such step; see `times`.
+    pub fn positions(&self, step: usize) -> &[DVec3] {
+        row(&self.positions, step, self.topology.nodes)
+    }
+
+    /// The velocity of each node at a step, m/s.
+    ///
+    /// # Panics
+    /// Where there is no such step; see `times`.
+    pub fn velocities(&self, step: usize) -> &[DVec3] {
+        row(&self.velocities, step, self.topology.nodes)
+    }
+
+    /// The tension of each segment at a step, N.
+    ///
+    /// # Panics
+    /// Where there is no such step; see `times`.
+    pub fn tensions(&self, step: usize) -> &[f64] {
+        &row(&self.tensions, step, self.topology.cells())[..self.topology.segments.len()]
+    }
+
+    /// The orientation of each rigid body at a step: from its axes to the world.
+    ///
+    /// # Panics
+    /// Where there is no such step; see `times`.
+    pub fn orientations(&self, step: usize) -> &[DQuat] {
+        row(&self.orientations, step, self.topology.bodies.len())
+    }
+}
+
+fn row<T>(values: &[T], step: usize, width: usize) -> &[T] {
+    &values[step * width..(step + 1) * width]
+}
+
+/// Reads a field file that [`super::FieldsWriter`] wrote.
+///
+/// # Errors
+/// [`ResultError::Fields`] where the file cannot be read or lacks an array, [`ResultError::NotFields`] where its
+/// arrays do not fit each other.
+pub fn read_fields(path: &Path) -> Result<Fields, ResultError> {
+    let fields = read_arrays(path).map_err(ResultError::fields(path))?;
+    match inconsistency(&fields) {
+        None => Ok(fields),
+        Some(what) => Err(ResultError::NotFields { path: path.to_path_buf(), what }),
+    }
+}
+
+fn read_arrays(path: &Path) -> Result<Fields, hdf5_pure::Error> {
+    let file = File::open(path)?;
+    let names = file.group("netcast")?;
+    let present = names.datasets()?;
+    let has = |name: &str| present.iter().any(|dataset| dataset == name);
+    let strings = |name: &str| if has(name) { names.dataset(name)?.read_string() } else { Ok(Vec::new()) };
+    let label_names = strings("label_names")?;
+    let label_nodes = if label_names.is_empty() { Vec::new() } else { names.dataset("label_nodes")?.read_u32()? };
+    let connectivity = file.dataset("VTKHDF/Lines/Connectivity")?.read_i64()?;
+    let corners = file.dataset("VTKHDF/Polygons/Connectivity")?.read_i64()?;
+    let classes = file.dataset("VTKHDF/CellData/class")?.read_i32()?;
+    let nodes = file.dataset("VTKHDF/NumberOfPoints")?.read_i64()?;
+    let topology = FieldsTopology {
+        nodes: nodes.first().map_or(0, |&nodes| nodes as usize),
+        segments: connectivity.chunks_exact(2).map(|ends| [ends[0] as u32, ends[1] as u32]).collect(),
+        classes: classes.iter().take(connectivity.len() / 2).map(|&class| class as u32).collect(),
+        triangles: corners.chunks_exact(3).map(|nodes| [0, 1, 2].map(|k| nodes[k] as u32)).collect(),
+        class_names: strings("class_names")?,
+        labels: label_nodes.into_iter().zip(label_names).collect(),
+        bodies: if has("body_nodes") { names.dataset("body_nodes")?.read_u32()? } else { Vec::new() },
+    };
+    let orientations =
+        if has("body_orientations") { names.dataset("body_orientations")?.read_f64()? } else { Vec::new() };
+    Ok(Fields {
+        topology,
+        times: file.dataset("VTKHDF/Steps/Values")?.read_f64()?,
+        positions: vectors(&file, "VTKHDF/Points")?,
+        velocities: vectors(&file, "VTKHDF/PointData/velocity")?,
+        tensions: file.dataset("VTKHDF/CellData/tension")?.read_f64()?,
+        orientations: orientations.chunks_exact(4).map(DQuat::from_slice).collect(),
+    })
+}
+
+fn vectors(file: &File, path: &str) -> Result<Vec<DVec3>, hdf5_pure::Error> {
+    let values = file.dataset(path)?.read_f64()?;
+    Ok(values.chunks_exact(3).map(DVec3::from_slice).collect())
+}
+
+/// What does not fit in a file that is whole as HDF5.
+fn inconsistency(fields: &Fields) -> Option<String> {
+    let Fields { topology, times, positions, velocities, tensions, orientations } = fields;
+    let (nodes, segments, steps) = (topology.nodes, topology.segments.len(), times.len());
+    let cells = topology.cells();
+    // more than fits a memory is more than there is
+    let lengths = [
+        ("Points", steps.saturating_mul(nodes), positions.len()),
+        ("velocity", steps.saturating_mul(nodes), velocities.len()),
+        ("tension", steps.saturating_mul(cells), tensions.len()),
+        ("class", segments, topology.classes.len()),
+        ("body_orientations", steps.saturating_mul(topology.bodies.len()), orientations.len()),
+    ];
+    let wrong = lengths.into_iter().find(|(_, expected, found)| expected != found);
+    let wrong =
+        wrong.map(|(array, expected, found)| format!("array {array} should hold {expected} rows and holds {found}"));
+    wrong.or_else(|| topology.fault())
+}
