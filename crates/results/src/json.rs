@@ -35,9 +35,10 @@ where
     D: Deserializer<'de, Error = serde_json::Error>,
 {
     serde_path_to_error::deserialize(deserializer).map_err(|error| {
+        // `?` stands for what cannot even be named, `.` for the whole file
         let key = error.path().to_string();
-        // a file that is no JSON at all fails at its root, which is called `.`
-        let key = if key == "." { String::new() } else { format!("{key}: ") };
+        let key = key.trim_end_matches(['?', '.']);
+        let key = if key.is_empty() { String::new() } else { format!("{key}: ") };
         ResultError::Json { path: path.to_path_buf(), key, source: error.into_inner() }
     })
 }

@@ -19,8 +19,9 @@ use crate::{ResultError, json};
 /// The program's name, as the manifest gives it.
 const PROGRAM: &str = "netcast";
 
-/// Where a result comes from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// Where a result comes from. What an older file lacks is empty or 0.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Manifest {
     /// The program that wrote the folder: `netcast`.
     pub program: String,
@@ -43,7 +44,8 @@ pub struct Manifest {
 }
 
 /// The machine that a result was computed on.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Machine {
     /// Operating system, such as `linux`.
     pub os: String,

@@ -245,4 +245,37 @@ mod tests {
         let error = Lineup::read(&many, &[], None).unwrap_err().to_string();
         assert!(error.contains("found 13") && error.contains("no_such_net.toml is named twice"), "{error}");
     }
+
+    #[test]
+    fn what_is_reported_is_checked_against_what_a_run_will_have() {
+        let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+        let designs =
+            ["05_hanging_net/hanging_net.toml", "04_square_net/square_net.toml"].map(|path| examples.join(path));
+        let folder = tempfile::tempdir().unwrap();
+        let reported = folder.path().join("reported.toml");
+        let read = |text: &str| {
+            fs::write(&reported, format!("source = \"a test\"\n{text}")).unwrap();
+            Lineup::read(&designs, &[], Some(&reported)).map(|_| ()).map_err(|faults| faults.to_string())
+        };
+        // sections that a first step would not fill
+        read(
+            "[square_net]\nmouth.tilt_max_open_rad = 0.1\nflight.hang_time_s = 1\nstowed.packed_radius_m = 0.1\n\
+             points.B.peak_speed_m_s = 3\nlaunch.spin_rad_s = 0\n[hanging_net]\nstatic.residual_n = 1e-6\n",
+        )
+        .unwrap();
+        let faults = read(
+            "[square_net]\nmouth.tilt_max_open = 0.1\ntension.max_where = 3\nstatic.iterations = 9\n\
+             tension.by_class.no_such_class.max_n = 1\n",
+        )
+        .unwrap_err();
+        for fault in [
+            "`mouth.tilt_max_open` is no quantity of its summary.json",
+            "did you mean `mouth.tilt_max_open_rad`?",
+            "square_net.tension.max_where: expected a text",
+            "`static.iterations` is no quantity",
+            "`tension.by_class.no_such_class.max_n` is no quantity",
+        ] {
+            assert!(faults.contains(fault), "{fault}\n{faults}");
+        }
+    }
 }

@@ -180,17 +180,18 @@ pub(crate) fn figure_frame(title: &str, note: &str, id: &str) -> String {
 }
 
 pub(crate) fn provenance(netcast: &str, manifest: &Manifest) -> String {
-    let short = |hash: &String| hash.chars().take(12).collect::<String>();
+    let known = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
+    let short = |hash: &str| hash.chars().take(12).collect::<String>();
     let machine = &manifest.machine;
     let facts = [
-        ("netcast", Some(if netcast.is_empty() { manifest.version.clone() } else { netcast.to_owned() })),
-        ("revision", manifest.revision.as_ref().map(short)),
-        ("inputs", Some(short(&manifest.input_hash))),
-        ("started", Some(manifest.started.clone())),
-        ("computed in", Some(duration(manifest.wall_time_s))),
-        ("threads", Some(manifest.threads.to_string())),
+        ("netcast", known(netcast).or(known(&manifest.version))),
+        ("revision", manifest.revision.as_deref().map(short)),
+        ("inputs", known(&short(&manifest.input_hash))),
+        ("started", known(&manifest.started)),
+        ("computed in", Some(manifest.wall_time_s).filter(|clock| *clock > 0.0).map(duration)),
+        ("threads", Some(manifest.threads).filter(|threads| *threads > 0).map(|threads| threads.to_string())),
         ("on", machine.cpu.clone()),
-        ("system", Some(format!("{} {}", machine.os, machine.arch))),
+        ("system", known(&machine.os).map(|os| format!("{os} {}", machine.arch))),
         ("seed", manifest.seed.map(|seed| seed.to_string())),
     ];
     facts
