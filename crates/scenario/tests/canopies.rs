@@ -99,7 +99,7 @@ fn a_rigid_canopy_is_the_plate_its_payload_and_the_ends_of_its_ropes() {
 fn a_sheet_of_two_triangles_a_side_shares_its_mass_by_triangles() {
     let model = model("canopy.membrane = {}\n");
     assert_eq!(model.system.membranes().len(), 31 * 24);
-    assert_eq!(model.system.hinges().len(), 31 * 30);
+    assert_eq!(model.system.parts().hinges.len(), 31 * 30);
     assert!(model.system.bodies().is_empty());
     let sheet = &model.sheets[30];
     let share = CLOTH / 24.0 / 3.0;
@@ -123,7 +123,7 @@ fn patches_are_bodies_and_nothing_inside_them_strains() {
     // two triangles in a tie, six under a payload
     assert_eq!(model.system.membranes().len(), 31 * 6 * 25 - 31 * 6 * 2 - 18 * 6);
     // between those, one hinge in a tie and six under a payload
-    assert_eq!(model.system.hinges().len(), 31 * 15 * 14 - 31 * 6 - 18 * 6);
+    assert_eq!(model.system.parts().hinges.len(), 31 * 15 * 14 - 31 * 6 - 18 * 6);
 }
 
 /// That nothing is stretched, and that bodies are turned so that their ties are where the packing has put them.
@@ -293,7 +293,7 @@ fn a_rope_bends_between_its_knots_only() {
     let radial = bent.cut.web.ropes.iter().zip(&bent.cut.ropes).filter(|(rope, _)| rope.class.name() == "radial");
     let inside: usize = radial.map(|(_, cut)| cut.segments - 1).sum();
     assert!(inside > 0);
-    assert_eq!(bent.system.bends().len(), inside);
+    assert_eq!(bent.system.parts().bends.len(), inside);
     let found = wrong(&stiff("\"1 N m\""));
     assert!(
         found[0].contains("ropes.stiff.bending_stiffness: expected a bending stiffness greater than 0"),
