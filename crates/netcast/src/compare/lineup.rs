@@ -250,7 +250,7 @@ mod tests {
     fn what_is_reported_is_checked_against_what_a_run_will_have() {
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
         let designs =
-            ["05_hanging_net/hanging_net.toml", "04_square_net/square_net.toml"].map(|path| examples.join(path));
+            ["10_catch_fence/catch_fence.toml", "04_square_net/square_net.toml"].map(|path| examples.join(path));
         let folder = tempfile::tempdir().unwrap();
         let reported = folder.path().join("reported.toml");
         let read = |text: &str| {
@@ -260,7 +260,7 @@ mod tests {
         // sections that a first step would not fill
         read(
             "[square_net]\nmouth.tilt_max_open_rad = 0.1\nflight.hang_time_s = 1\nstowed.packed_radius_m = 0.1\n\
-             points.B.peak_speed_m_s = 3\nlaunch.spin_rad_s = 0\n[hanging_net]\nstatic.residual_n = 1e-6\n",
+             points.B.peak_speed_m_s = 3\nlaunch.spin_rad_s = 0\n[catch_fence]\nstatic.residual_n = 1e-6\n",
         )
         .unwrap();
         let faults = read(

@@ -10,7 +10,7 @@
 //! without a line here. The table of quantities says which of them a net designer wants large or small.
 
 mod differences;
-pub(crate) mod heading;
+mod heading;
 mod table;
 
 use std::fs;
