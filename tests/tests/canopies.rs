@@ -87,7 +87,7 @@ fn asymmetry(run: &Run) -> f64 {
 #[test]
 fn threads_change_no_bit_of_a_web_of_many_triangles() {
     let model = Model::new(&launch("membrane = { fineness = 4 }")).unwrap_or_else(|errors| panic!("{errors}"));
-    assert!(model.system.membranes().len() > 2_000 && model.system.hinges().len() > 2_000);
+    assert!(model.system.membranes().len() > 2_000 && model.system.parts().hinges.len() > 2_000);
     let [one, other] = [1, 3].map(|threads| -> Vec<DVec3> {
         let mut net = Stepper::new(&model.system, &model.state, model.largest_dt(), threads);
         for _ in 0..300 {
