@@ -1,5 +1,5 @@
 //! The observer that turns a run into results: measures at every step, rows and frames at record times. Rows and frames
-//! go to the disk as they come; the measures are few, and are kept in checkpoints.
+//! go to the disk as they come, or stay in memory; the measures are few, and are kept in checkpoints.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -16,6 +16,7 @@ use crate::checkpoint::{Checkpoint, CheckpointEvery};
 use crate::landmarks::Landmarks;
 use crate::measures::{Measured, Measures, WebState};
 use crate::row::{RowLayout, RunRecord};
+use crate::series::Series;
 use crate::stream::Stream;
 use crate::summary::Summary;
 use crate::{FieldsTopology, ResultError, folder};
@@ -30,7 +31,7 @@ pub struct Recorder<'r> {
     fields_every: u64,
     layout: RowLayout,
     topology: FieldsTopology,
-    kept: Option<Kept>,
+    keeping: Keeping,
     progress: &'r mut Progress<'r>,
     interrupted: &'r (dyn Fn() -> bool + Sync),
     limits: Limits,
@@ -50,6 +51,16 @@ pub struct Checkpoints {
     pub clock: Instant,
 }
 
+/// Where rows and frames go.
+enum Keeping {
+    /// Nowhere: only measures are taken.
+    Nowhere,
+    /// Into memory.
+    InMemory(Box<Series>),
+    /// Onto the disk, as they come.
+    OnDisk(Box<Kept>),
+}
+
 /// What of a run is on the disk while it goes on.
 struct Kept {
     stream: Stream,
@@ -60,9 +71,9 @@ struct Kept {
 }
 
 impl<'r> Recorder<'r> {
-    /// A recorder of `system` from `state` on, that measures. With [`Recorder::keep_in`] it writes as well, fields at
-    /// every `fields_every`-th record. `progress` hears of every record; the run stops at the next one once
-    /// `interrupted` says so.
+    /// A recorder of `system` from `state` on, that measures. With [`Recorder::keep_in`] it writes rows and frames as
+    /// well, with [`Recorder::keep_in_memory`] it keeps them: a frame at every `fields_every`-th record. `progress` hears
+    /// of every record; the run stops at the next one once `interrupted` says so.
     ///
     /// # Errors
     /// [`ResultError::Length`] where `landmarks` do not fit the system.
@@ -90,7 +101,7 @@ impl<'r> Recorder<'r> {
             topology,
             of,
             fields_every,
-            kept: None,
+            keeping: Keeping::Nowhere,
             progress,
             interrupted,
             limits: Limits::NONE,
@@ -109,13 +120,31 @@ impl<'r> Recorder<'r> {
         Self { limits, ..self }
     }
 
+    /// Keeps rows and frames in memory; [`Recorder::take_series`] hands them over.
+    pub fn keep_in_memory(mut self) -> Self {
+        let series = Series::new(self.layout.columns.clone(), self.topology.clone());
+        self.keeping = Keeping::InMemory(Box::new(series));
+        self
+    }
+
+    /// What was kept in memory, where it was asked to be; from then on nothing is kept.
+    pub fn take_series(&mut self) -> Option<Series> {
+        match std::mem::replace(&mut self.keeping, Keeping::Nowhere) {
+            Keeping::InMemory(series) => Some(*series),
+            other => {
+                self.keeping = other;
+                None
+            }
+        }
+    }
+
     /// Writes rows and frames into `folder` from the start of the run on, and checkpoints.
     ///
     /// # Errors
     /// [`ResultError`] names the file that cannot be written.
     pub fn keep_in(mut self, folder: &Path, checkpoints: Checkpoints) -> Result<Self, ResultError> {
         let stream = Stream::create(folder, &self.layout.columns, &self.topology)?;
-        self.kept = Some(Kept::new(folder, stream, checkpoints, 0.0));
+        self.keeping = Keeping::OnDisk(Box::new(Kept::new(folder, stream, checkpoints, 0.0)));
         Ok(self)
     }
 
@@ -135,7 +164,7 @@ impl<'r> Recorder<'r> {
         }
         let stream = Stream::reopen(folder, checkpoint.written)?;
         self.measures = checkpoint.measures.clone().into_owned();
-        self.kept = Some(Kept::new(folder, stream, checkpoints, checkpoint.time_s));
+        self.keeping = Keeping::OnDisk(Box::new(Kept::new(folder, stream, checkpoints, checkpoint.time_s)));
         Ok(self)
     }
 
@@ -157,15 +186,31 @@ impl<'r> Recorder<'r> {
         sums.into_iter().map(|(sum, count, max)| (sum / f64::max(count, 1.0), max)).collect()
     }
 
-    /// Writes down a record.
-    fn keep(&mut self, frame: &Frame, row: &[Option<f64>]) -> Result<(), ResultError> {
-        let Some(Kept { stream, .. }) = &mut self.kept else { return Ok(()) };
-        stream.row(row)?;
-        if self.measures.rows.is_multiple_of(self.fields_every) {
-            let orientations = frame.rotation.iter().map(|rotation| rotation.orientation);
-            stream.fields().push(frame.time, frame.position, frame.velocity, frame.tension, orientations)?;
+    /// Keeps a record where it is asked to.
+    fn keep(&mut self, frame: &Frame, web: &WebState) -> Result<(), ResultError> {
+        if matches!(self.keeping, Keeping::Nowhere) {
+            return Ok(());
         }
-        stream.keep_up()
+        let row = self.row(frame, web);
+        let has_fields = self.measures.rows.is_multiple_of(self.fields_every);
+        let orientations = frame.rotation.iter().map(|rotation| rotation.orientation);
+        match &mut self.keeping {
+            Keeping::Nowhere => Ok(()),
+            Keeping::InMemory(series) => {
+                if has_fields {
+                    series.fields.push(frame.time, frame.position, frame.velocity, frame.tension, orientations);
+                }
+                series.history.push(row)
+            }
+            Keeping::OnDisk(kept) => {
+                let stream = &mut kept.stream;
+                stream.row(&row)?;
+                if has_fields {
+                    stream.fields().push(frame.time, frame.position, frame.velocity, frame.tension, orientations)?;
+                }
+                stream.keep_up()
+            }
+        }
     }
 
     /// Ends the recording with how the run ended, and closes its files. Returns the sections of the summary that are
@@ -177,7 +222,7 @@ impl<'r> Recorder<'r> {
         if let Some(error) = self.error {
             return Err(error);
         }
-        if let Some(kept) = self.kept {
+        if let Keeping::OnDisk(kept) = self.keeping {
             kept.stream.finish()?;
         }
         Ok(self.measures.finish(&self.of, outcome, tolerance))
@@ -191,11 +236,8 @@ impl Observer for Recorder<'_> {
 
     fn record(&mut self, frame: &Frame) {
         let web = self.measures.record(&self.of, frame);
-        if self.kept.is_some() {
-            let row = self.row(frame, &web);
-            let kept = self.keep(frame, &row);
-            self.remember(kept);
-        }
+        let kept = self.keep(frame, &web);
+        self.remember(kept);
         self.measures.recorded(frame);
         (self.progress)(frame.time);
     }
@@ -209,12 +251,15 @@ impl Observer for Recorder<'_> {
     }
 
     fn wants_snapshot(&mut self) -> bool {
-        self.kept.as_ref().is_some_and(|kept| kept.is_due(self.measures.last_time))
+        match &self.keeping {
+            Keeping::OnDisk(kept) => kept.is_due(self.measures.last_time),
+            _ => false,
+        }
     }
 
     fn snapshot(&mut self, snapshot: &Snapshot) {
         // what could not be recorded is not to be gone on from
-        if let (Some(kept), None) = (&mut self.kept, &self.error) {
+        if let (Keeping::OnDisk(kept), None) = (&mut self.keeping, &self.error) {
             let written = kept.write_checkpoint(snapshot, &self.measures);
             self.remember(written);
         }

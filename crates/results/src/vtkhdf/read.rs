@@ -8,7 +8,7 @@ use hdf5_pure::File;
 use super::topology::FieldsTopology;
 use crate::ResultError;
 
-/// What a field file holds, read back.
+/// What a field file holds: read back, or kept in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {
     /// What stays the same in every step.
@@ -22,6 +22,31 @@ pub struct Fields {
 }
 
 impl Fields {
+    /// No frame yet, of this topology.
+    pub fn new(topology: FieldsTopology) -> Self {
+        let (times, positions, velocities, tensions, orientations) = Default::default();
+        Self { topology, times, positions, velocities, tensions, orientations }
+    }
+
+    /// Appends a frame: time, s, positions, m, and velocities, m/s, (nodes,), tensions, N, (segments,), orientations of
+    /// rigid bodies, (bodies,).
+    pub(crate) fn push(
+        &mut self,
+        time: f64,
+        positions: &[DVec3],
+        velocities: &[DVec3],
+        tensions: &[f64],
+        orientations: impl IntoIterator<Item = DQuat>,
+    ) {
+        self.times.push(time);
+        self.positions.extend_from_slice(positions);
+        self.velocities.extend_from_slice(velocities);
+        self.tensions.extend_from_slice(tensions);
+        // triangles of sheets are cells without tension
+        self.tensions.resize(self.times.len() * self.topology.cells(), 0.0);
+        self.orientations.extend(orientations);
+    }
+
     /// The position of each node at a step, m.
     ///
     /// # Panics
