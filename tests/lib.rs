@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use netcast::results::{Fields, History, Summary, folder, read_fields};
 use netcast::scenario::diagnostic::Source;
-use netcast::{Document, Model, RunOptions};
+use netcast::{Case, Document, Model};
 use tempfile::TempDir;
 
 /// A run and what it wrote, read back from its result folder.
@@ -56,14 +56,11 @@ impl Run {
     pub fn of(document: &Document) -> Run {
         let results = TempDir::new().expect("a temporary folder");
         let target = results.path().join("run");
-        let ran =
-            netcast::run(document, &target, &RunOptions { threads: 1, ..RunOptions::default() }, &mut |_| {}, &|| {
-                false
-            })
-            .unwrap_or_else(|e| panic!("{e}"));
+        let case = Case::of(document.clone()).unwrap_or_else(|e| panic!("{e}"));
+        let ran = case.simulation().threads(1).run_to(&target).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(ran.failure, None);
         Run {
-            model: Model::new(document).unwrap_or_else(|e| panic!("{e}")),
+            model: case.model().clone(),
             summary: ran.summary,
             history: History::read(&ran.folder.join(folder::HISTORY)).expect("a history"),
             fields: read_fields(&ran.folder.join(folder::FIELDS)).expect("fields"),

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use netcast::dynamics::simulate::{Frame, Live, Observer, simulate};
 use netcast::scenario::diagnostic::Source;
-use netcast::{Document, Model, schedule};
+use netcast::{Case, Document, Model};
 use netcast_tests::{Run, assert_close};
 
 /// A net in a bag, whose tractors can go 0.1 m before any of their ropes pulls; without weight.
@@ -115,9 +115,10 @@ impl Observer for Turning<'_> {
 fn a_web_that_is_spun_opens_by_itself_and_keeps_its_angular_momentum() {
     let spun = "[launch]\naxial_speed = \"10 m/s\"\nspin = \"40 rad/s\"\n";
     let document = read(net(spun));
-    let model = Model::new(&document).unwrap_or_else(|errors| panic!("{errors}"));
-    let mut turning = Turning(&model, Vec::new());
-    let outcome = simulate(&model.system, &model.state, &schedule(&model), 1, &mut turning);
+    let case = Case::of(document.clone()).unwrap_or_else(|errors| panic!("{errors}"));
+    let model = case.model();
+    let mut turning = Turning(model, Vec::new());
+    let outcome = simulate(&model.system, &model.state, case.schedule(), 1, &mut turning);
     let start = turning.1[0];
     // turned as a rigid body: the moments of inertia of all that there is
     let about_axis: f64 =

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use netcast::results::{History, folder};
 use netcast::webs::Class;
-use netcast::{Document, Model, RunOptions, Scenario, run};
+use netcast::{Case, Document, Model, Scenario};
 use netcast_tests::{Run, examples};
 
 /// An example: a folder with one scenario.
@@ -44,8 +44,8 @@ impl Example {
         let model = Model::new(&document).unwrap_or_else(|errors| panic!("{errors}"));
         let results = tempfile::tempdir().unwrap();
         let target = results.path().join("run");
-        let ran = run(&document, &target, &RunOptions::default(), &mut |_| {}, &|| false)
-            .unwrap_or_else(|error| panic!("{}: {error}", self.name));
+        let case = Case::of(document.clone()).unwrap_or_else(|errors| panic!("{errors}"));
+        let ran = case.simulation().run_to(&target).unwrap_or_else(|error| panic!("{}: {error}", self.name));
 
         let (name, summary) = (&self.name, &ran.summary);
         assert_eq!(ran.failure, None, "{name}");

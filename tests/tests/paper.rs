@@ -6,8 +6,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use netcast::Case;
 use netcast::results::Summary;
-use netcast::{Document, RunOptions, run};
 
 /// What the paper reports of a web; `None` where it does not say.
 struct Reported {
@@ -68,11 +68,10 @@ fn root() -> &'static Path {
 }
 
 fn throw(reported: &Reported) -> Summary {
-    let document = Document::read(&root().join("examples").join(reported.scenario), &[]).expect("a valid example");
+    let case = Case::read(root().join("examples").join(reported.scenario), &[]).expect("a valid example");
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("results");
-    let ran = run(&document, &out, &RunOptions { threads: 1, ..RunOptions::default() }, &mut |_| {}, &|| false)
-        .expect("it runs");
+    let ran = case.simulation().threads(1).run_to(&out).expect("it runs");
     assert!(ran.failure.is_none(), "{}: {:?}", reported.web, ran.failure);
     ran.summary
 }

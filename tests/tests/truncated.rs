@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 
 use netcast::report::write_report;
 use netcast::results::{Checkpoint, CheckpointEvery, History, folder, read_fields, recover};
+use netcast::scenario::Document;
 use netcast::scenario::diagnostic::Source;
-use netcast::{Document, RunOptions, run};
+use netcast::{Case, RunOptions};
 use tempfile::TempDir;
 
 const SCENARIO: &str = r#"
@@ -19,9 +20,10 @@ solve = { duration = "10 ms", on_energy_error = "flag" }
 record = { every = "1 ms", fields_every = "2 ms" }
 "#;
 
-fn document() -> Document {
+fn case() -> Case {
     let source = Source { name: "scenario.toml".into(), text: SCENARIO.into() };
-    Document::parse(source, Path::new("."), &[]).unwrap_or_else(|errors| panic!("{errors}"))
+    let document = Document::parse(source, Path::new("."), &[]).unwrap_or_else(|errors| panic!("{errors}"));
+    Case::of(document).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 fn options(resume: bool) -> RunOptions {
@@ -32,13 +34,15 @@ fn options(resume: bool) -> RunOptions {
 /// What a run leaves that dies at its seventh record, and what it would have come to.
 fn cut_off(root: &TempDir) -> (PathBuf, PathBuf) {
     let [whole, target] = ["whole", "net"].map(|name| root.path().join(name));
-    run(&document(), &whole, &options(false), &mut |_| {}, &|| false).unwrap();
+    case().simulation().options(options(false)).run_to(&whole).unwrap();
     let mut records = 0;
-    let mut die = |_| {
+    let die = |_| {
         records += 1;
         assert!(records < 7, "the run dies here, on purpose");
     };
-    let died = catch_unwind(AssertUnwindSafe(|| run(&document(), &target, &options(false), &mut die, &|| false)));
+    let case = case();
+    let dying = case.simulation().options(options(false)).progress(die);
+    let died = catch_unwind(AssertUnwindSafe(|| dying.run_to(&target)));
     assert!(died.is_err() && !target.exists());
     (whole, root.path().join("net.running"))
 }
@@ -78,7 +82,7 @@ fn a_run_that_died_is_readable_up_to_its_last_record_and_goes_on() {
     // a second look changes nothing, and finds nothing more
     assert_eq!(recover(&left).unwrap(), [""; 0]);
 
-    let ran = run(&document(), &root.path().join("net"), &options(true), &mut |_| {}, &|| false).unwrap();
+    let ran = case().simulation().options(options(true)).run_to(root.path().join("net")).unwrap();
     assert!(ran.summary.finished && !left.exists());
     for file in [folder::HISTORY, folder::FIELDS] {
         assert!(fs::read(ran.folder.join(file)).unwrap() == fs::read(whole.join(file)).unwrap(), "{file}");
@@ -140,7 +144,7 @@ fn a_run_goes_on_only_from_files_that_hold_all_that_its_checkpoint_counts_on() {
         for end in (0..content.len()).step_by(97) {
             fs::create_dir_all(&left).unwrap();
             restore(&left, &cut(&files, name, end));
-            match run(&document(), &target, &options(true), &mut |_| {}, &|| false) {
+            match case().simulation().options(options(true)).run_to(&target) {
                 Ok(ran) => {
                     assert_ne!(name, folder::CHECKPOINT);
                     for file in [folder::HISTORY, folder::FIELDS] {

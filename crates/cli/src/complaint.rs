@@ -8,7 +8,7 @@ use netcast::results::ResultError;
 use netcast::scenario::{Diagnostic, Diagnostics, Place};
 use netcast::{Failure, RunError};
 
-/// Why a command did not do what it was asked for.
+/// Why a command failed.
 #[derive(Debug)]
 pub enum Complaint {
     /// The scenario or the command line is wrong: status 2.
@@ -129,9 +129,10 @@ impl From<RunError> for Complaint {
 
 /// A diagnostic in the look of rustc: file, line and column, the line itself, what was expected.
 fn render(diagnostic: &Diagnostic) -> String {
-    let title = match diagnostic.path.is_empty() {
-        true => diagnostic.message.clone(),
-        false => format!("{}: {}", diagnostic.path, diagnostic.message),
+    let title = if diagnostic.path.is_empty() {
+        diagnostic.message.clone()
+    } else {
+        format!("{}: {}", diagnostic.path, diagnostic.message)
     };
     let mut group = Level::ERROR.primary_title(title).elements(Vec::<annotate_snippets::Element>::new());
     match &diagnostic.place {

@@ -3,7 +3,7 @@
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 
-use netcast::Model;
+use netcast::facts::{PackingFacts, StartFacts};
 
 /// Prints a line for the user, as `println!` does. A reader that has gone, such as `head`, is no error.
 macro_rules! say {
@@ -42,46 +42,40 @@ pub fn number(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
-/// The audit of the state at the start.
-pub fn audit(model: &Model) {
-    let audit = &model.audit;
-    let stretch = audit.longest.map(|longest| {
-        let label = model.segment_label(longest.segment);
-        let share = 100.0 * longest.stretch;
-        match share {
-            s if s > 1e-7 => format!("{label} is stretched by {} %", number(s, 3)),
-            s if s > -1e-7 => format!("none; {label} just reaches its rest length"),
-            s => format!("none; {label} comes nearest, {} % short of its rest length", number(-s, 3)),
+/// The state at the start, looked over.
+pub fn start(start: &StartFacts) {
+    let stretch = start.longest_stretch.zip(start.longest_stretch_where.as_ref()).map(|(stretch, label)| {
+        let share = 100.0 * stretch;
+        if share > 1e-7 {
+            format!("{label} is stretched by {} %", number(share, 3))
+        } else if share > -1e-7 {
+            format!("none; {label} just reaches its rest length")
+        } else {
+            format!("none; {label} comes nearest, {} % short of its rest length", number(-share, 3))
         }
     });
+    let (radius, height) = (number(start.packed_radius_m, 4), number(start.packed_height_m, 4));
     say!("State at the start");
     rows(&[
         ("longest stretch".into(), stretch.unwrap_or_else(|| "there are no segments".into())),
-        ("stored energy".into(), format!("{} J", number(audit.stored_energy, 4))),
-        (
-            "packed size".into(),
-            format!("radius {} m, height {} m", number(audit.packed_radius, 4), number(audit.packed_height, 4)),
-        ),
+        ("stored energy".into(), format!("{} J", number(start.stored_energy_j, 4))),
+        ("packed size".into(), format!("radius {radius} m, height {height} m")),
     ]);
 }
 
 /// How densely the web is packed, and how near its ropes come to each other.
-pub fn packing(model: &Model) {
-    let packing = model.packing();
+pub fn packing(packing: &PackingFacts) {
     let density = packing
-        .density
+        .density_kg_m3
         .zip(packing.solid_fraction)
         .map(|(density, solid)| format!("{} kg/m^3, {} % of it solid", number(density, 4), number(100.0 * solid, 3)));
-    let (closest, touching) = match packing.closeness {
-        None => ("not looked for: too many ropes lie near each other".to_owned(), None),
-        Some(found) => (
-            found.closest.map_or("all ropes are tied together".to_owned(), |closest| {
-                let labels = closest.segments.map(|segment| model.segment_label(segment)).join(" and ");
-                format!("{} m, {labels}", number(closest.distance, 3))
-            }),
-            Some(format!("{} pairs of segments, of ropes that share no knot", found.touching)),
-        ),
+    let closest = match &packing.closest {
+        _ if !packing.is_compared => "not looked for: too many ropes lie near each other".to_owned(),
+        None => "all ropes are tied together".to_owned(),
+        Some(closest) => format!("{} m, {}", number(closest.distance_m, 3), closest.segments.join(" and ")),
     };
+    let touching =
+        packing.nearer_than_a_diameter.map(|count| format!("{count} pairs of segments, of ropes that share no knot"));
     let told = [
         ("density", density.or(Some("the web lies flat".to_owned()))),
         ("closest approach", Some(closest)),
@@ -93,8 +87,8 @@ pub fn packing(model: &Model) {
 }
 
 /// What was chosen or changed for the user.
-pub fn notes(model: &Model) {
-    for note in &model.notes {
+pub fn notes(notes: &[String]) {
+    for note in notes {
         say!("note: {note}");
     }
 }

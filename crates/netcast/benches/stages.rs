@@ -6,7 +6,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use netcast::bench::{MESHES, net, net_with};
 use netcast::dynamics::time::step::Stepper;
-use netcast::{Document, Model, RunOptions};
+use netcast::{Case, Document, Model};
 
 fn main() {
     divan::main();
@@ -23,7 +23,8 @@ const STEPS: usize = 100;
 /// A hundred steps of the contract's square net at four sizes.
 #[divan::bench(consts = MESHES, args = threads())]
 fn steps<const MESH: usize>(bencher: Bencher, threads: usize) {
-    let net = net(MESH).unwrap();
+    let case = net(MESH).unwrap();
+    let net = case.model();
     let mut stepper = Stepper::new(&net.system, &net.state, net.largest_dt(), threads);
     let team = stepper.team();
     let bencher = bencher.counter(ItemsCount::new(STEPS * net.system.segments().len()));
@@ -92,7 +93,8 @@ fn effects(bencher: Bencher, effect: &str) {
 /// A hundred steps of the square net of 3968 segments with overrides, on one thread, after so many that ropes are taut
 /// here and slack there.
 fn steps_with(bencher: Bencher, before: usize, overrides: &[String]) {
-    let net = net_with(31, overrides).unwrap();
+    let case = net_with(31, overrides).unwrap();
+    let net = case.model();
     let mut stepper = Stepper::new(&net.system, &net.state, net.largest_dt(), 1);
     (0..before).for_each(|_| {
         stepper.step();
@@ -118,8 +120,8 @@ fn run(bencher: Bencher, every: &str) {
     let overrides = ["solve.duration=60 ms".to_owned(), format!("record.every={every}")];
     let document = example("04_square_net/square_net.toml", &overrides);
     let folder = tempfile::tempdir().unwrap();
-    let (target, options) = (folder.path().join("run"), RunOptions { threads: 1, ..RunOptions::default() });
-    bencher.bench_local(|| netcast::run(&document, &target, &options, &mut |_| {}, &|| false).unwrap());
+    let target = folder.path().join("run");
+    bencher.bench_local(|| Case::of(document.clone()).unwrap().simulation().threads(1).run_to(&target).unwrap());
 }
 
 /// The report of a run of the space web, 40 ms long.
@@ -128,7 +130,7 @@ fn report(bencher: Bencher) {
     let document = example("03_space_web/space_web.toml", &["solve.duration=40 ms".to_owned()]);
     let folder = tempfile::tempdir().unwrap();
     let target = folder.path().join("run");
-    netcast::run(&document, &target, &RunOptions::default(), &mut |_| {}, &|| false).unwrap();
+    Case::of(document).unwrap().simulation().run_to(&target).unwrap();
     bencher.bench_local(|| netcast::report::write_report(&target).unwrap());
 }
 

@@ -12,16 +12,18 @@ use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System, SystemParts};
 use netcast_dynamics::time::step::{LEAST_SLOTS_FOR_THREADS, Stepper, Vectors};
-use netcast_scenario::diagnostic::Source;
+use netcast_scenario::Diagnostics;
 use netcast_scenario::lower::Model;
-use netcast_scenario::{Diagnostics, Document};
 use rayon::prelude::*;
 use serde::Serialize;
+
+use crate::case::Case;
+use crate::sections::{Body, Launch, Rope, Stow, Web};
 
 /// Mesh sides along a side of the nets that are measured: 840, 3968, 29 928 and 119 024 segments.
 pub const MESHES: [usize; 4] = [14, 31, 86, 172];
 
-/// Net and limit are measured in turn, so often, and the best of each counts: a machine is never faster than it is.
+/// Rounds in which net and limit are measured in turn. The best of each counts: what disturbs a machine only slows it.
 const ROUNDS: usize = 7;
 
 /// Time of one measurement.
@@ -46,12 +48,12 @@ pub struct Measurement {
     pub vector_bits: u32,
 }
 
-/// Whether one run of the net of so many mesh sides is shared between threads; a smaller one stays on one.
+/// Whether one run of the net with `meshes` mesh sides a side is shared between threads; a smaller net stays on one.
 ///
 /// # Errors
 /// As [`measure`].
 pub fn is_shared(meshes: usize) -> Result<bool, Diagnostics> {
-    Ok(net(meshes)?.system.layout().slot_count() >= LEAST_SLOTS_FOR_THREADS)
+    Ok(net(meshes)?.model().system.layout().slot_count() >= LEAST_SLOTS_FOR_THREADS)
 }
 
 /// Measures a square net of `meshes` by `meshes` mesh sides, two segments each, on `threads` threads: one run on all of
@@ -60,9 +62,10 @@ pub fn is_shared(meshes: usize) -> Result<bool, Diagnostics> {
 /// # Errors
 /// None that a user could cause; [`Diagnostics`] where the scenario of the bench is refused.
 pub fn measure(meshes: usize, threads: usize, runs: usize) -> Result<Measurement, Diagnostics> {
-    let net = net(meshes)?;
+    let case = net(meshes)?;
+    let net = case.model();
     let segments = net.system.segments().len();
-    let rope = rope(&net, segments);
+    let rope = rope(net, segments);
     let (mut updates, mut limit) = (0.0, 0.0);
     let dt = net.largest_dt();
     let mut nets: Vec<Stepper> = (0..runs).map(|_| Stepper::new(&net.system, &net.state, dt, threads / runs)).collect();
@@ -87,7 +90,7 @@ pub fn measure(meshes: usize, threads: usize, runs: usize) -> Result<Measurement
 fn rate(steppers: &mut [Stepper]) -> f64 {
     let one = |stepper: &mut Stepper| {
         let segments = stepper.system().segments().len();
-        // so many steps between two looks at the clock that the clock costs nothing
+        // enough steps between two looks at the clock that the clock costs nothing
         let between = (200_000 / segments).max(1);
         let (clock, mut steps) = (Instant::now(), 0);
         while clock.elapsed() < SPELL {
@@ -104,33 +107,32 @@ fn rate(steppers: &mut [Stepper]) -> f64 {
     }
 }
 
-/// The square net of `meshes` by `meshes` mesh sides that is measured.
+/// The square net of `meshes` by `meshes` mesh sides that is measured: the contract's square net at this size, thrown.
 ///
 /// # Errors
 /// As [`measure`].
-pub fn net(meshes: usize) -> Result<Model, Diagnostics> {
+pub fn net(meshes: usize) -> Result<Case, Diagnostics> {
     net_with(meshes, &[])
 }
 
-/// The same with overrides, as after `--set`.
+/// The same with values of the scenario set by their paths; a value is TOML, or a text.
 ///
 /// # Errors
 /// [`Diagnostics`] where the scenario is refused.
-pub fn net_with(meshes: usize, overrides: &[String]) -> Result<Model, Diagnostics> {
-    let source = Source { name: "bench.toml".into(), text: net_text(meshes) };
-    Model::new(&Document::parse(source, "".as_ref(), overrides)?)
+pub fn net_with(meshes: usize, overrides: &[String]) -> Result<Case, Diagnostics> {
+    Case::new(Web::square(0.5 * meshes as f64, 0.5).set("segments_per_mesh", 2))
+        .rope(Rope::new(0.002, 1440.0, 70e9).damping_ratio(0.05))
+        .tractor(Body::particle(0.5))
+        .stow(Stow::scale(0.25))
+        .launch(Launch::new(20.0, 10.0))
+        .damping(0.1)
+        .duration(0.6)
+        .record_every(0.01)
+        .overrides(overrides)
+        .build()
 }
 
-/// The contract's square net at this size, thrown.
-fn net_text(meshes: usize) -> String {
-    let side = 0.5 * meshes as f64;
-    format!(
-        "[web.square]\nside = {side}\nmesh = 0.5\nsegments_per_mesh = 2\n[tractor.particle]\nmass = 0.5\n\
-         [stow.scale]\nfactor = 0.25\n[launch]\naxial_speed = 20\nradial_speed = 10\n{MATERIAL}"
-    )
-}
-
-/// One rope of so many segments of the net's make, cut loose and drawn out.
+/// One unbroken rope of `segments` segments like those of the net, laid out along a quarter of its length.
 fn rope(net: &Model, segments: usize) -> (System, State) {
     let segment = net.system.segments()[0];
     let mass = 2.0 * segment.stiffness * net.limit.dt * net.limit.dt;
@@ -152,6 +154,3 @@ fn rope(net: &Model, segments: usize) -> (System, State) {
     };
     (system.build().expect("a rope is a system"), state)
 }
-
-const MATERIAL: &str = "[rope]\ndiameter = 0.002\ndensity = 1440\nelastic_modulus = 70e9\ndamping_ratio = 0.05\n\
-    [environment]\ndamping = 0.1\n[solve]\nduration = 0.6\n[record]\nevery = 0.01\n";

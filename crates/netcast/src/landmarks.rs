@@ -1,4 +1,4 @@
-//! What a model's nodes and segments mean to who measures them.
+//! Which nodes and segments of a model are measured, under which names.
 
 use glam::DVec3;
 use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};

@@ -5,9 +5,9 @@ use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax
 use netcast_results::summary::Equilibrium;
 use netcast_scenario::lower::Model;
 
-use crate::run::Progress;
+use crate::progress::{Interrupted, Progress, Tell};
 
-/// The equilibrium, or how far it was found.
+/// The equilibrium, or the state nearest to one that was found.
 pub(crate) struct Rest {
     relaxed: Relaxed,
     tolerance: f64,
@@ -17,8 +17,8 @@ pub(crate) struct Rest {
 pub(crate) fn equilibrium(
     model: &Model,
     threads: usize,
-    progress: &mut (dyn FnMut(Progress) + Send),
-    interrupted: &(dyn Fn() -> bool + Sync),
+    progress: &mut Tell,
+    interrupted: &Interrupted,
 ) -> Option<Rest> {
     let wanted = model.scenario.solve.statics?;
     let tolerance = wanted.tolerance.si();
@@ -37,7 +37,7 @@ impl Rest {
         self.relaxed.stopped.is_none()
     }
 
-    /// The start of what follows. Where a run does, what is thrown has its speed again.
+    /// The state that the run begins from. Where a run in time follows, what is thrown has its speed again.
     pub fn start(&self, model: &Model) -> State {
         let mut state = self.relaxed.state.clone();
         if model.scenario.solve.run_time().is_some() {
@@ -49,7 +49,7 @@ impl Rest {
         state
     }
 
-    /// Why it is none, in words.
+    /// Why no equilibrium was found, in words; none where one was.
     pub fn failure(&self, model: &Model) -> Option<String> {
         let (error, residual) = (self.relaxed.stopped?, &self.relaxed.residual);
         let place = model.node_label(residual.node);

@@ -9,7 +9,6 @@ use crate::interval::Interval;
 use crate::memory::available;
 use crate::nearest::nearest;
 use crate::path::Path;
-use crate::text_file::read_text;
 use crate::written::Written;
 
 /// After so many faults in one file the rest is only counted.
@@ -79,9 +78,9 @@ impl CsvTable {
     ) -> Option<Self> {
         let path = Path::parse(path);
         let name = written.tree.get(&path)?.value.as_text()?;
-        let file = written.folder.join(name);
+        let file = written.files.path(name.as_ref());
         let most = available().map_or(f64::MAX, |bytes| bytes / COPIES);
-        let text = match read_text(&file, most) {
+        let text = match written.files.text(name.as_ref(), most) {
             Ok(text) => text,
             Err(reason) => {
                 found.push(written.at_value(&path, format!("cannot read {}: {reason}", file.display())));

@@ -9,6 +9,7 @@ use crate::csv_files::{
     read_stow, read_wind,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::files::Files;
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
 use crate::rules;
@@ -62,7 +63,15 @@ impl Document {
     /// # Errors
     /// Everything that is wrong with them, at once.
     pub fn parse(source: Source, folder: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
-        let (mut written, mut found) = match Written::parse(source, folder, overrides) {
+        Self::parse_with(source, Files::in_folder(folder), overrides)
+    }
+
+    /// Reads a scenario from its text; the files it names are those of `files`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, at once.
+    pub fn parse_with(source: Source, files: Files, overrides: &[String]) -> Result<Self, Diagnostics> {
+        let (mut written, mut found) = match Written::parse(source, files, overrides) {
             Ok(parsed) => parsed,
             Err(faults) => return Err(Diagnostics::fail_if_any(faults).unwrap_err()),
         };

@@ -21,6 +21,7 @@ pub mod dimension;
 pub mod document;
 pub mod drive;
 pub mod environment;
+mod files;
 pub mod ground;
 pub mod hold;
 pub mod init;
@@ -57,5 +58,6 @@ pub mod written;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Place, Source};
 pub use document::Document;
+pub use files::Files;
 pub use scenario::{Scenario, resolved_toml};
 pub use schema::schema;

@@ -1,10 +1,10 @@
 //! A scenario as it was written, before it has a type: the place to ask where something stands.
 
 use std::fmt::Display;
-use std::path::{Path as FilePath, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Source};
+use crate::files::Files;
 use crate::path::Path;
 use crate::tree::{Origin, Tree, TreeFault};
 
@@ -13,8 +13,8 @@ use crate::tree::{Origin, Tree, TreeFault};
 pub struct Written {
     /// Its file.
     pub source: Arc<Source>,
-    /// The folder that the paths in it start from.
-    pub folder: PathBuf,
+    /// Where the files that it names are.
+    pub files: Files,
     /// The overrides, such as `launch.axial_speed=60 m/s`.
     pub overrides: Vec<String>,
     /// Its keys and values, overrides included.
@@ -28,7 +28,7 @@ impl Written {
     /// Everything in the text that is no TOML.
     pub(crate) fn parse(
         source: Source,
-        folder: &FilePath,
+        files: Files,
         overrides: &[String],
     ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
         let source = Arc::new(source);
@@ -38,7 +38,7 @@ impl Written {
             Tree::parse(&source.text).map_err(|faults| faults.into_iter().map(report).collect::<Vec<_>>())?;
         let faults = overrides.iter().enumerate().filter_map(|(index, text)| tree.set(text, index).err()).map(report);
         let found = faults.collect();
-        Ok((Self { source, folder: folder.to_path_buf(), overrides: overrides.to_vec(), tree }, found))
+        Ok((Self { source, files, overrides: overrides.to_vec(), tree }, found))
     }
 
     /// Something wrong with the value at `path`; it is shown there, or at the nearest parent that was written.

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use netcast::results::{CheckpointEvery, ResultError, folder};
-use netcast::{Document, Progress, Ran, RunError, RunOptions, run};
+use netcast::{Case, Document, Progress, Ran, RunError, RunOptions};
 use tempfile::TempDir;
 
 use scenarios::{missing, read, scenario, scenarios, write_files};
@@ -27,14 +27,21 @@ fn options(threads: usize, resume: bool) -> RunOptions {
 /// Runs until so many records were taken, and says how many that were.
 fn run_for(document: &Document, target: &Path, options: &RunOptions, records: usize) -> (Ran, usize) {
     let taken = AtomicUsize::new(0);
-    let mut count = |progress| {
+    let count = |progress| {
         if matches!(progress, Progress::Running { .. }) {
             taken.fetch_add(1, Ordering::Relaxed);
         }
     };
     let enough = || taken.load(Ordering::Relaxed) >= records;
-    let ran = run(document, target, options, &mut count, &enough).unwrap_or_else(|error| panic!("{error}"));
+    let case = Case::of(document.clone()).unwrap_or_else(|errors| panic!("{errors}"));
+    let simulation = case.simulation().options(options.clone()).progress(count).interrupt_when(enough);
+    let ran = simulation.run_to(target).unwrap_or_else(|error| panic!("{error}"));
     (ran, taken.into_inner())
+}
+
+/// Goes on with what an earlier run left.
+fn resumed(document: &Document, target: &Path) -> Result<Ran, RunError> {
+    Case::of(document.clone())?.simulation().options(options(1, true)).run_to(target)
 }
 
 fn run_to_end(document: &Document, target: &Path, options: &RunOptions) -> usize {
@@ -165,13 +172,13 @@ fn only_the_same_run_goes_on_and_what_differs_is_told() {
     let before = bytes(&target);
 
     let faster = text.replace("20 m/s", "30 m/s");
-    let refused = run(&read(&faster, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
+    let refused = resumed(&read(&faster, workbench.path()), &target);
     let told = refused.unwrap_err().to_string();
     assert!(told.contains("launch.axial_speed was \"20 m/s\" and is \"30 m/s\""), "{told}");
 
     let nodes = fs::read_to_string(workbench.path().join("nodes.csv")).unwrap();
     fs::write(workbench.path().join("nodes.csv"), nodes.replace("0.1", "0.2")).unwrap();
-    let refused = run(&read(&text, workbench.path()), &target, &options(1, true), &mut |_| {}, &|| false);
+    let refused = resumed(&read(&text, workbench.path()), &target);
     let told = refused.unwrap_err().to_string();
     assert!(told.contains("nodes.csv has changed"), "{told}");
 
@@ -187,7 +194,7 @@ fn a_run_that_came_to_its_end_does_not_go_on() {
     let workbench = workbench();
     let target = workbench.path().join("net");
     let document = read(&scenario("square_net_with_a_drawstring"), workbench.path());
-    let resumed = || run(&document, &target, &options(1, true), &mut |_| {}, &|| false);
+    let resumed = || resumed(&document, &target);
     let nothing = |error: RunError| matches!(error, RunError::Result(ResultError::NothingToResume { .. }));
     assert!(nothing(resumed().unwrap_err()));
     run_to_end(&document, &target, &options(1, false));

@@ -1,13 +1,13 @@
 //! `netcast compare`
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use clap::Args;
 use netcast::{Compared, Lineup, RunOptions, compare};
 use serde_json::Value;
 
+use super::stop_on_signal;
 use crate::Ended;
 use crate::complaint::Complaint;
 use crate::progress::Bar;
@@ -81,24 +81,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     } else if !arguments.quiet {
         tell(&compared);
     }
-    match compared.failures.is_empty() {
-        true => Ok(()),
-        false => Err(Complaint::SomeFailed(compared.failures, compared.folder)),
-    }
-}
-
-/// Set once the user asks to stop; at the second time the program ends.
-fn stop_on_signal() -> Result<Arc<AtomicBool>, Complaint> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let on_signal = stop.clone();
-    let handled = ctrlc::set_handler(move || {
-        // a second Ctrl-C does not wait for the next record
-        if on_signal.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    handled.map_err(|error| Complaint::Fault(format!("cannot listen for Ctrl-C: {error}")))?;
-    Ok(stop)
+    if compared.failures.is_empty() { Ok(()) } else { Err(Complaint::SomeFailed(compared.failures, compared.folder)) }
 }
 
 /// The quantities that a designer looks for first, the best of each row marked.

@@ -10,9 +10,30 @@ pub mod schema;
 pub mod stow;
 
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use netcast::{Diagnostics, Document};
+use netcast::{Case, Diagnostics};
+
+use crate::complaint::Complaint;
+
+/// Set once the user asks to stop, by Ctrl-C or `kill`; at the second time the program ends.
+///
+/// # Errors
+/// Where signals cannot be listened for.
+pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Complaint> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let on_signal = stop.clone();
+    let handled = ctrlc::set_handler(move || {
+        // a second Ctrl-C does not wait for the next record
+        if on_signal.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    handled.map_err(|error| Complaint::Fault(format!("cannot listen for Ctrl-C: {error}")))?;
+    Ok(stop)
+}
 
 /// A scenario on the command line.
 #[derive(Args)]
@@ -27,8 +48,8 @@ pub struct ScenarioArguments {
 }
 
 impl ScenarioArguments {
-    /// Reads the scenario with its overrides.
-    pub fn read(&self) -> Result<Document, Diagnostics> {
-        Document::read(&self.scenario, &self.overrides)
+    /// Reads the scenario with its overrides, and makes it ready.
+    pub fn case(&self) -> Result<Case, Diagnostics> {
+        Case::read(&self.scenario, &self.overrides)
     }
 }

@@ -1,16 +1,15 @@
 //! `netcast run`
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use clap::Args;
+use netcast::RunOptions;
 use netcast::results::CheckpointEvery;
 use netcast::scenario::interval::NonNegative;
 use netcast::scenario::quantity::Time;
-use netcast::{RunOptions, run as carry_out};
 
-use super::ScenarioArguments;
+use super::{ScenarioArguments, stop_on_signal};
 use crate::Ended;
 use crate::complaint::Complaint;
 use crate::progress::Bar;
@@ -59,7 +58,7 @@ pub struct Arguments {
 
 /// Carries it out.
 pub fn run(arguments: &Arguments) -> Ended {
-    let document = arguments.scenario.read()?;
+    let case = arguments.scenario.case()?;
     let target = arguments.out.clone().unwrap_or_else(|| {
         let stem = arguments.scenario.scenario.file_stem().unwrap_or("scenario".as_ref());
         PathBuf::from("results").join(stem)
@@ -72,19 +71,10 @@ pub fn run(arguments: &Arguments) -> Ended {
         options.threads = threads.into();
     }
 
-    let stop = Arc::new(AtomicBool::new(false));
-    let on_signal = stop.clone();
-    let handled = ctrlc::set_handler(move || {
-        // a second Ctrl-C does not wait for the next record
-        if on_signal.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    handled.map_err(|error| Complaint::Fault(format!("cannot listen for Ctrl-C: {error}")))?;
-
+    let stop = stop_on_signal()?;
     let bar = Bar::new(arguments.quiet);
-    let interrupted = || stop.load(Ordering::Relaxed);
-    let ran = carry_out(&document, &target, &options, &mut |progress| bar.tell(progress), &interrupted);
+    let simulation = case.simulation().options(options).progress(|progress| bar.tell(progress));
+    let ran = simulation.interrupt_when(|| stop.load(Ordering::Relaxed)).run_to(&target);
     bar.end();
     let ran = ran?;
 
@@ -130,9 +120,10 @@ impl Arguments {
 /// A word as a shell takes it.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-=+:,@%".contains(c);
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }
 

@@ -3,14 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use netcast::Model;
 use netcast::scenario::csv_files::{StowedNode, write_stow};
 use netcast::scenario::lower::node_id;
 
 use super::ScenarioArguments;
 use crate::Ended;
 use crate::complaint::Complaint;
-use crate::screen::{audit, notes, packing, say};
+use crate::screen::{notes, packing, say, start};
 
 /// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size,
 /// density, how near ropes come to each other
@@ -19,6 +18,7 @@ use crate::screen::{audit, notes, packing, say};
 Examples:
   netcast stow examples/04_square_net/square_net.toml
   netcast stow net.toml --set stow.bag.radius=\"20 cm\"
+  netcast stow net.toml --json
   netcast stow net.toml --write stowed.csv      for [stow.file], after changes of your own")]
 pub struct Arguments {
     #[command(flatten)]
@@ -27,15 +27,26 @@ pub struct Arguments {
     /// Write where every node lies, in the launch frame: columns id, x, y, z, in m
     #[arg(long, value_name = "FILE.csv")]
     write: Option<PathBuf>,
+
+    /// Print the audit as JSON, and nothing else
+    #[arg(long)]
+    json: bool,
 }
 
 /// Carries it out.
 pub fn run(arguments: &Arguments) -> Ended {
-    let model = Model::new(&arguments.scenario.read()?)?;
-    notes(&model);
-    audit(&model);
-    packing(&model);
+    let case = arguments.scenario.case()?;
+    let (facts, packed) = (case.facts(), case.packing());
+    if arguments.json {
+        let json = serde_json::json!({ "notes": facts.notes, "start": facts.start, "packing": packed });
+        say!("{json:#}");
+    } else {
+        notes(&facts.notes);
+        start(&facts.start);
+        packing(&packed);
+    }
     if let Some(path) = &arguments.write {
+        let model = case.model();
         let to_launch_frame = model.frame.transpose();
         let nodes =
             model.state.position.iter().enumerate().map(|(node, &x)| StowedNode {
@@ -44,7 +55,9 @@ pub fn run(arguments: &Arguments) -> Ended {
             });
         write_stow(path, nodes)
             .map_err(|error| Complaint::Argument(format!("cannot write {}: {error}", path.display())))?;
-        say!("wrote {}", path.display());
+        if !arguments.json {
+            say!("wrote {}", path.display());
+        }
     }
     Ok(())
 }

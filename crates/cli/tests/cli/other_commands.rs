@@ -68,6 +68,36 @@ fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
 }
 
 #[test]
+fn check_prints_what_is_known_as_json_for_a_script() {
+    let workbench = Workbench::with_net();
+    let before = workbench.listing();
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        let said = workbench.succeed(arguments).stdout;
+        serde_json::from_str(&said).unwrap_or_else(|error| panic!("{error}: {said}"))
+    };
+    let facts = json(&["check", "net.toml", "--json"]);
+    // ten lines of 2 m; 1140 kg/m^3 and 3 mm
+    let (rope, cost) = (&facts["bill"]["ropes"][0], &facts["cost"]);
+    let mass = 20.0 * 1140.0 * std::f64::consts::PI * 2.25e-6;
+    assert!((rope["length_m"].as_f64().unwrap() - 20.0).abs() < 1e-9, "{rope}");
+    assert!((rope["mass_kg"].as_f64().unwrap() - mass).abs() < 1e-9, "{rope}");
+    assert_eq!((&cost["nodes"], &cost["segments"], &cost["records"]), (&65.into(), &80.into(), &11.into()));
+    assert!(cost["one_core_s"].as_f64().unwrap() > 0.0, "{cost}");
+    assert!(facts["air"].is_null() && facts["links"].is_null());
+    let links = json(&["check", "net.toml", "--json", "--links"])["links"].as_array().unwrap().len();
+    assert_eq!(links, 40);
+    let falling = json(&["check", "net.toml", "--json", "--set", "environment.air={}"]);
+    assert!(falling["air"]["fall"]["terminal_speed_m_s"].as_f64().unwrap() > 0.0, "{falling}");
+    let stowed = json(&["stow", "net.toml", "--json"]);
+    assert!(stowed["start"]["longest_stretch"].as_f64().unwrap() <= 0.0, "{stowed}");
+    assert!(stowed["packing"]["is_compared"].as_bool().unwrap(), "{stowed}");
+    assert!(workbench.listing() == before, "something was written");
+    // a wrong scenario is told on standard error as ever
+    let ended = workbench.netcast(&["check", "net.toml", "--json", "--set", "rope.diameter=2 kg"]);
+    assert_eq!((ended.status, &ended.stdout[..]), (2, ""));
+}
+
+#[test]
 fn a_choice_made_for_the_user_is_said() {
     let net = SMALL_NET.replace("segments_per_mesh = 2\n", "");
     let workbench = Workbench::new(&[("net.toml", &net)]);

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use netcast_results::{Manifest, Quantity, SummaryFile, expected, folder, leaves, quantity_at};
 use netcast_scenario::lower::Model;
-use netcast_scenario::{Diagnostic, Diagnostics, Document, Place};
+use netcast_scenario::{Diagnostic, Diagnostics, Place};
 use serde_json::Value as Json;
 
-use super::SCENARIO;
 use super::reported::{Kind, Known, KnownQuantity, ReportedFile};
-use crate::landmarks;
+use crate::case::Case;
+use crate::inputs::SCENARIO;
 
 /// Designs that a comparison has at least.
 pub const FEWEST: usize = 2;
@@ -36,7 +36,7 @@ pub(super) struct Design {
 #[derive(Debug)]
 pub(super) enum Origin {
     /// To be run.
-    Scenario { document: Box<Document>, model: Box<Model> },
+    Scenario(Case),
     /// There already.
     Folder(PathBuf),
 }
@@ -99,9 +99,7 @@ impl Origin {
         if path.is_dir() {
             return result_folder(path).map_err(|reason| wrong(format!("{}: {reason}", path.display())).into());
         }
-        let document = Box::new(Document::read(path, overrides)?);
-        let model = Box::new(Model::new(&document)?);
-        Ok(Self::Scenario { document, model })
+        Ok(Self::Scenario(Case::read(path, overrides)?))
     }
 
     /// The quantities that its summary has, or will have once it is run; none where its summary cannot be read.
@@ -120,8 +118,8 @@ impl Origin {
                 };
                 Some(leaves(&summary.values).into_iter().map(known).collect())
             }
-            Self::Scenario { model, .. } => {
-                let all = expected(&landmarks(model), |section| has_section(model, section));
+            Self::Scenario(case) => {
+                let all = expected(case.landmarks(), |section| has_section(case.model(), section));
                 let known =
                     |(path, quantity): (String, &Quantity)| KnownQuantity { path, kind: Kind::of(quantity.dimension) };
                 Some(all.into_iter().map(known).collect())

@@ -1,0 +1,103 @@
+//! A case: a scenario that was read, checked and turned into a model, ready to be simulated.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+use netcast_dynamics::simulate::Schedule;
+use netcast_results::Landmarks;
+use netcast_scenario::lower::Model;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Source, resolved_toml};
+
+use crate::inputs::Inputs;
+use crate::landmarks::landmarks;
+
+/// What its scenario is called in messages where it was no file.
+pub(crate) const IN_CODE: &str = "case.toml";
+
+/// A net, its launch and what surrounds it, ready to be simulated. A clone shares everything with the original.
+#[derive(Clone)]
+pub struct Case(Arc<Prepared>);
+
+struct Prepared {
+    document: Document,
+    model: Model,
+    inputs: Inputs,
+    schedule: Schedule,
+    landmarks: Landmarks,
+}
+
+impl Case {
+    /// Reads the scenario in `file` and the files it names. Each override is `path=value`, as after `--set`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them, at once, each with its place in the file.
+    pub fn read(file: impl AsRef<Path>, overrides: &[String]) -> Result<Self, Diagnostics> {
+        Self::of(Document::read(file.as_ref(), overrides)?)
+    }
+
+    /// The case of a scenario as a value; relative paths in it start from `folder`.
+    ///
+    /// # Errors
+    /// Everything that does not fit; places are those in the text of the resolved scenario.
+    pub fn from_scenario(scenario: &Scenario, folder: impl AsRef<Path>) -> Result<Self, Diagnostics> {
+        let source = Source { name: IN_CODE.to_owned(), text: resolved_toml(scenario) };
+        Self::of(Document::parse(source, folder.as_ref(), &[])?)
+    }
+
+    /// The case of a scenario that was read.
+    ///
+    /// # Errors
+    /// Everything that does not fit, each with its place in the file.
+    pub fn of(document: Document) -> Result<Self, Diagnostics> {
+        let model = Model::new(&document)?;
+        let inputs = Inputs::new(&document, &model).map_err(|error| Diagnostic::new("", error.to_string(), None))?;
+        let (schedule, landmarks) = (schedule(&model), landmarks(&model));
+        Ok(Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks })))
+    }
+
+    /// The scenario, with everything written out that was chosen on the way.
+    pub fn scenario(&self) -> &Scenario {
+        &self.0.model.scenario
+    }
+
+    /// The scenario as it was written.
+    pub fn document(&self) -> &Document {
+        &self.0.document
+    }
+
+    /// What is simulated, with the names of its parts.
+    pub fn model(&self) -> &Model {
+        &self.0.model
+    }
+
+    /// When steps and records happen.
+    pub fn schedule(&self) -> &Schedule {
+        &self.0.schedule
+    }
+
+    /// What of the nodes and segments has a meaning.
+    pub fn landmarks(&self) -> &Landmarks {
+        &self.0.landmarks
+    }
+
+    /// The files of the `inputs` folder.
+    pub(crate) fn inputs(&self) -> &Inputs {
+        &self.0.inputs
+    }
+}
+
+impl fmt::Debug for Case {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Case").field("scenario", self.scenario()).finish_non_exhaustive()
+    }
+}
+
+/// When a model's steps and records happen.
+fn schedule(model: &Model) -> Schedule {
+    let every = model.scenario.record.every.si();
+    match model.scenario.solve.run_time() {
+        Some(duration) => Schedule::new(duration, every, model.largest_dt()),
+        None => Schedule::at_start(every, model.largest_dt()),
+    }
+}

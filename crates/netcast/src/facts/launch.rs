@@ -1,0 +1,106 @@
+//! How a case is launched, what of it ropes can turn, what holds it until it breaks.
+
+use netcast_scenario::lower::{Model, Thrown};
+use netcast_webs::Class;
+use serde::Serialize;
+
+/// A tractor that ropes can turn.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BodyFacts {
+    /// The corner that it is tied to, from 1.
+    pub corner: u32,
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Its principal moments of inertia about its axes x, y, z, kg m^2.
+    pub inertia_kg_m2: [f64; 3],
+    /// Where its rope is tied, from its centre along its axes, m.
+    pub tied_at_m: [f64; 3],
+}
+
+/// How one tractor is thrown.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ThrowFacts {
+    /// The corner that it is tied to, from 1.
+    pub corner: u32,
+    /// What sets it in motion.
+    pub by: Pushed,
+    /// The angle between its way and the launch axis, rad.
+    pub angle_rad: f64,
+    /// How long it stays where it is, s.
+    pub delay_s: f64,
+}
+
+/// What sets a tractor in motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Pushed {
+    /// Nothing: it has its speed at the start.
+    Speed {
+        /// The speed, m/s.
+        speed_m_s: f64,
+    },
+    /// A force along a tube.
+    Tube {
+        /// How far the tube guides it, m.
+        stroke_m: f64,
+        /// The work of the force over that way, J; none where the force is given over time.
+        work_j: Option<f64>,
+    },
+}
+
+/// Threads of one kind that hold the web until they break.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Tied {
+    /// What they are: `break ties` or `stitches`.
+    pub kind: String,
+    /// How many.
+    pub count: usize,
+    /// Load at which the weakest breaks, N.
+    pub least_load_n: f64,
+    /// Load at which the strongest breaks, N.
+    pub largest_load_n: f64,
+}
+
+pub(super) fn bodies(model: &Model) -> Vec<BodyFacts> {
+    let by_corner = model.tractors_by_corner().into_iter().zip(1u32..);
+    by_corner
+        .filter_map(|(tractor, corner)| {
+            let (solid, body) = tractor?;
+            Some(BodyFacts {
+                corner,
+                mass_kg: solid.mass_kg,
+                inertia_kg_m2: body.inertia.to_array(),
+                tied_at_m: body.ties[0].arm.to_array(),
+            })
+        })
+        .collect()
+}
+
+pub(super) fn throws(model: &Model) -> Vec<ThrowFacts> {
+    let facts = |throw: &netcast_scenario::lower::Throw| ThrowFacts {
+        corner: throw.corner,
+        by: match &throw.by {
+            Thrown::At(velocity) => Pushed::Speed { speed_m_s: velocity.length() },
+            Thrown::From { stroke, push } => Pushed::Tube { stroke_m: *stroke, work_j: push.work(*stroke) },
+        },
+        angle_rad: throw.angle_to(model.axis()),
+        delay_s: throw.delay,
+    };
+    model.throws.iter().flatten().map(facts).collect()
+}
+
+pub(super) fn ties(model: &Model) -> Vec<Tied> {
+    let broken = model.groups.iter().enumerate().filter(|(_, group)| group.class.is_made_to_break());
+    broken
+        .map(|(class, group)| {
+            let loads = model.system.segments().iter().filter(|s| s.class == class).map(|s| s.breaking.load);
+            let kind = if group.class == Class::Tie { "break ties" } else { "stitches" };
+            Tied {
+                kind: kind.to_owned(),
+                count: loads.clone().count(),
+                least_load_n: group.breaking.load,
+                largest_load_n: loads.fold(0.0, f64::max),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,129 @@
+//! Whether a run failed, why, and what mends it.
+
+use netcast_dynamics::limits::{Excess, Term};
+use netcast_dynamics::simulate::{Place, StepError};
+use netcast_scenario::lower::Model;
+use netcast_scenario::solve::OnEnergyError;
+
+use crate::simulate::Ended;
+
+/// Why a run failed although its input was right.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Failure {
+    /// It stopped before its end.
+    #[error("{0}")]
+    Stopped(String),
+    /// Its energy balance misses the tolerance, at the end or by far on the way.
+    #[error(
+        "the energy balance misses its tolerance: {what} is {found:.3} %, at most {asked:.3} % is allowed{since}; \
+         a smaller step mends it, try --set solve.step_fraction={smaller}"
+    )]
+    Unbalanced {
+        /// Which measure.
+        what: &'static str,
+        /// Its value, percent.
+        found: f64,
+        /// What the scenario asks for, percent.
+        asked: f64,
+        /// When it missed it by far and what pulled hardest there and then, for the message; empty where it did not.
+        since: String,
+        /// A step fraction that should do.
+        smaller: f64,
+    },
+    /// A segment is thrown about by much of its length in one step.
+    #[error(
+        "step {step} at {time} s: the step does not resolve the motion: {place} changes its length by {found:.0} % in \
+         one step, at most {asked:.0} % is allowed; try --set solve.step_fraction={smaller}"
+    )]
+    Unresolved {
+        /// Which step.
+        step: u64,
+        /// At what time, s.
+        time: f64,
+        /// Which segment.
+        place: String,
+        /// The change, percent.
+        found: f64,
+        /// The most that is allowed, percent.
+        asked: f64,
+        /// A step fraction that should do.
+        smaller: f64,
+    },
+}
+
+impl Ended<'_> {
+    /// Why it failed, if it did, and what the reader should know.
+    pub fn verdict(&self) -> (Option<Failure>, Vec<String>) {
+        let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
+        let unrest = self.rest.as_ref().and_then(|rest| rest.failure(self.model)).map(Failure::Stopped);
+        // a run that came apart says so, and what mends it
+        let came_apart = matches!(stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
+        let missed = if came_apart { None } else { self.unresolved().or_else(|| self.unbalanced()) };
+        let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
+        let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
+        let mut warnings = self.model.notes.clone();
+        warnings.extend(stopped.iter().chain(&missed).map(Failure::to_string));
+        (stopped.or(missed.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
+    }
+
+    /// That the step does not resolve the motion.
+    fn unresolved(&self) -> Option<Failure> {
+        let Excess { term, found, allowed, step, time, segment } = self.outcome.exceeded?;
+        let place = self.model.segment_label(segment.filter(|_| term == Term::Sweep)?);
+        let smaller = sensible(0.5 * self.fraction() * allowed / found);
+        Some(Failure::Unresolved { step, time, place, found: 100.0 * found, asked: 100.0 * allowed, smaller })
+    }
+
+    /// The first tolerance that the balance misses.
+    fn unbalanced(&self) -> Option<Failure> {
+        let energy = &self.measured.energy;
+        let measures = [
+            ("the residual over the largest total energy", Some(energy.closure), energy.tolerance),
+            ("the residual over the web's largest energy", energy.closure_web, energy.tolerance_web),
+        ];
+        let missed = |found: Option<f64>, asked: f64| found.filter(|found| *found > asked);
+        let (what, found, asked) =
+            measures.into_iter().find_map(|(what, found, asked)| Some((what, missed(found, asked)?, asked)))?;
+        let since = self.outcome.exceeded.map_or(String::new(), |excess| {
+            let hardest = excess.segment.map(|s| format!(", where {} pulls hardest", self.model.segment_label(s)));
+            format!(
+                ", and twice that was missed at step {} at {} s{}",
+                excess.step,
+                excess.time,
+                hardest.unwrap_or_default()
+            )
+        });
+        // the residual falls with the third power of the step or so; the second is on the safe side. One that was
+        // missed on the way would have grown, as far as one knows in proportion to time
+        let at_the_end = found * self.schedule.end / self.outcome.end_time;
+        let smaller = sensible(0.9 * self.fraction() * (asked / at_the_end).sqrt());
+        Some(Failure::Unbalanced { what, found: 100.0 * found, asked: 100.0 * asked, since, smaller })
+    }
+
+    /// The share of the stable step that was taken.
+    fn fraction(&self) -> f64 {
+        self.model.scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si())
+    }
+}
+
+/// Two digits, as one types them.
+fn sensible(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+/// A step error with the names of the model's parts.
+fn in_words(model: &Model, error: &StepError) -> String {
+    let smaller = 0.25 * model.largest_dt() / model.limit.dt;
+    let mend = format!("the step is too large for this motion, try --set solve.step_fraction={smaller:.2}");
+    match error {
+        StepError::NotFinite { step, time, term, place } => {
+            let place = match *place {
+                Place::Node(node) => model.node_label(node),
+                Place::Segment(segment) => model.segment_label(segment),
+            };
+            format!("step {step} at {time} s: the {term} of {place} is not a finite number; {mend}")
+        }
+        StepError::Diverged { .. } => format!("{error}; {mend}"),
+        StepError::Exceeded(_) | StepError::Interrupted { .. } => error.to_string(),
+    }
+}
