@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use netcast::results::folder;
-use netcast::{Document, RunOptions, run};
+use netcast::{Case, RunOptions};
 use netcast_tests::{examples, files_of_kind, resume};
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -126,11 +126,11 @@ fn writes() -> bool {
 /// Runs a scenario and hashes its files.
 fn found(golden: &Golden, threads: usize) -> Record {
     let name = &golden.name;
-    let document = Document::read(&golden.path, &[]).unwrap_or_else(|errors| panic!("{name}: {errors}"));
+    let case = Case::read(&golden.path, &[]).unwrap_or_else(|errors| panic!("{name}: {errors}"));
     let results = TempDir::new().unwrap();
     let target = results.path().join("run");
     let options = RunOptions { threads, ..RunOptions::default() };
-    let ran = run(&document, &target, &options, &mut |_| {}, &|| false).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let ran = case.simulation().options(options).run_to(&target).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert!(ran.summary.finished, "{name}: {:?}", ran.failure);
     println!("{name}: {:.1} s", ran.summary.wall_time_s);
     let hash = |file: &str| {

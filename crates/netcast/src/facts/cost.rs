@@ -80,9 +80,9 @@ pub(super) fn cost(case: &Case) -> Option<Cost> {
     }
     let (nodes, segments) = (model.system.mass().len(), model.system.segments().len());
     let elements = [
-        ("bends", model.system.bends().len()),
+        ("bends", model.system.parts().bends.len()),
         ("triangles", model.system.membranes().len()),
-        ("hinges", model.system.hinges().len()),
+        ("hinges", model.system.parts().hinges.len()),
         ("rigid bodies", model.system.bodies().len()),
     ];
     let records = schedule.count / schedule.steps_per_record + 1;
