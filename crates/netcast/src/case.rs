@@ -4,7 +4,10 @@ use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
+use netcast_dynamics::custom::CustomEffect;
 use netcast_dynamics::simulate::Schedule;
+use netcast_dynamics::step_size::step_limit;
+use netcast_dynamics::system::SystemError;
 use netcast_results::Landmarks;
 use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Source, resolved_toml};
@@ -53,6 +56,23 @@ impl Case {
         let model = Model::new(&document)?;
         let inputs = Inputs::new(&document, &model).map_err(|error| Diagnostic::new("", error.to_string(), None))?;
         let (schedule, landmarks) = (schedule(&model), landmarks(&model));
+        Ok(Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks })))
+    }
+
+    /// The same case with a force of the caller's own; see [`CustomEffect`]. The step is bounded by it as well. It is no part
+    /// of the inputs that a result folder keeps: a run of those is a run without it.
+    ///
+    /// # Errors
+    /// [`SystemError`] where it names a node that the net does not have.
+    pub fn with_effect(&self, effect: impl CustomEffect + 'static) -> Result<Self, SystemError> {
+        let Prepared { document, model, inputs, .. } = &*self.0;
+        let mut model = model.clone();
+        let mut parts = model.system.parts().clone();
+        parts.custom.push(Box::new(effect));
+        model.system = parts.build()?;
+        model.limit = step_limit(&model.system);
+        let (schedule, landmarks) = (schedule(&model), landmarks(&model));
+        let (document, inputs) = (document.clone(), inputs.clone());
         Ok(Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks })))
     }
 

@@ -253,6 +253,10 @@ impl Observer for Watched<'_, '_> {
         self.recorder.limits()
     }
 
+    fn watches(&self) -> Vec<&'static str> {
+        self.watchers.observer.as_ref().map_or(Vec::new(), |observer| observer.watches())
+    }
+
     fn interrupted(&self) -> bool {
         let by_observer = self.watchers.observer.as_ref().is_some_and(|observer| observer.interrupted());
         self.is_stopped || by_observer || self.recorder.interrupted()

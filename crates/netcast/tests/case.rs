@@ -253,6 +253,79 @@ fn an_observer_sees_every_step_and_changes_nothing() {
     assert_eq!(watched.history(), case.simulate().unwrap().history());
 }
 
+/// Pulls one node with a force that does not change, and sees what it does.
+#[derive(Debug, Clone)]
+struct Puller(DVec3);
+
+impl CustomEffect for Puller {
+    fn name(&self) -> &str {
+        "puller"
+    }
+
+    fn nodes(&self) -> Vec<usize> {
+        vec![0]
+    }
+
+    fn act(&mut self, _time: f64, _: &dyn netcast::dynamics::moving::Net, force: &mut [DVec3]) {
+        force[0] += self.0;
+    }
+
+    fn boxed_clone(&self) -> Box<dyn CustomEffect> {
+        Box::new(self.clone())
+    }
+}
+
+/// What the effects of the caller's own do to the first node at each record.
+#[derive(Default)]
+struct Felt(Vec<DVec3>);
+
+impl Observer for Felt {
+    fn step(&mut self, _: &Live) {}
+
+    fn record(&mut self, frame: &Frame) {
+        self.0.extend(frame.net.forces_of("custom").map(|forces| forces.force[0]));
+    }
+
+    fn watches(&self) -> Vec<&'static str> {
+        vec!["custom"]
+    }
+}
+
+#[test]
+fn a_force_of_the_callers_own_acts_in_a_case_and_an_observer_is_told_of_it() {
+    let plain = net().build().unwrap();
+    let pulled = plain.with_effect(Puller(DVec3::new(0.0, 0.0, -3.0))).unwrap();
+    let mut felt = Felt::default();
+    let run = pulled.simulation().observe(&mut felt).run().unwrap();
+    assert_eq!(felt.0, vec![DVec3::new(0.0, 0.0, -3.0); run.history().rows().len()]);
+    let plain = plain.simulate().unwrap();
+    assert!(run.history().columns().iter().any(|column| column == "energy_custom_j"));
+    assert!(!plain.history().columns().iter().any(|column| column == "energy_custom_j"));
+    assert!(run.summary.energy.closure < 1e-3);
+    // a node that the net does not have
+    assert!(net().build().unwrap().with_effect(Elsewhere).is_err());
+}
+
+/// An effect on a node that is not there.
+#[derive(Debug, Clone)]
+struct Elsewhere;
+
+impl CustomEffect for Elsewhere {
+    fn name(&self) -> &str {
+        "elsewhere"
+    }
+
+    fn nodes(&self) -> Vec<usize> {
+        vec![usize::MAX]
+    }
+
+    fn act(&mut self, _: f64, _: &dyn netcast::dynamics::moving::Net, _: &mut [DVec3]) {}
+
+    fn boxed_clone(&self) -> Box<dyn CustomEffect> {
+        Box::new(self.clone())
+    }
+}
+
 #[test]
 fn a_run_stops_at_the_record_that_it_is_told_to() {
     let folder = tempfile::tempdir().unwrap();
