@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use netcast_model::Model;
 use netcast_results::{ResultError, folder, manifest};
-use netcast_scenario::lower::Model;
 use netcast_scenario::tree::Tree;
 use netcast_scenario::{Document, resolved_toml};
 

@@ -26,6 +26,7 @@ mod run;
 mod values;
 
 pub use netcast_dynamics as dynamics;
+pub use netcast_model as model;
 pub use netcast_report as report;
 pub use netcast_results as results;
 pub use netcast_scenario as scenario;
@@ -33,6 +34,6 @@ pub use netcast_webs as webs;
 
 pub use compare::{Compared, FEWEST, Lineup, MOST, compare};
 pub use landmarks::landmarks;
-pub use netcast_scenario::lower::Model;
+pub use netcast_model::Model;
 pub use netcast_scenario::{Diagnostics, Document, Scenario};
 pub use run::{Failure, Progress, Ran, RunError, RunOptions, run, schedule};

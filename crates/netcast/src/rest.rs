@@ -2,8 +2,8 @@
 
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax};
+use netcast_model::Model;
 use netcast_results::summary;
-use netcast_scenario::lower::Model;
 
 use crate::run::Progress;
 

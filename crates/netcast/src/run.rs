@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::limits::{Excess, Limits, Term};
 use netcast_dynamics::simulate::{Outcome, Place, Schedule, StepError, resume, simulate};
+use netcast_model::Model;
 use netcast_report::ReportError;
 use netcast_results::summary::{self, Summary};
 use netcast_results::{
     Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, disk,
     folder,
 };
-use netcast_scenario::lower::Model;
 use netcast_scenario::solve::{OnEnergyError, Solve};
 use netcast_scenario::{Diagnostics, Document};
 

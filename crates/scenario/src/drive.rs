@@ -47,7 +47,7 @@ pub struct Waypoint {
 }
 
 /// What is wrong with a point of a path at `time`, s, displaced by `by`, m, after one at the time `before`, s.
-pub(crate) fn misplaced(time: f64, by: [f64; 3], before: Option<f64>) -> Option<&'static str> {
+pub fn misplaced(time: f64, by: [f64; 3], before: Option<f64>) -> Option<&'static str> {
     if before.is_some_and(|before| time <= before) {
         Some("expected a time after that of the point before")
     } else if time == 0.0 && by != [0.0; 3] {

@@ -29,9 +29,8 @@ mod later;
 pub mod launch;
 pub mod library;
 pub mod load;
-pub mod lower;
 pub mod measure;
-mod memory;
+pub mod memory;
 pub mod nearest;
 pub mod orbit;
 mod overrides;
@@ -57,5 +56,6 @@ pub mod written;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Place, Source};
 pub use document::Document;
+pub use rules::is_plain;
 pub use scenario::{Scenario, resolved_toml};
 pub use schema::schema;

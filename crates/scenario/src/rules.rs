@@ -35,7 +35,7 @@ pub(crate) fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table
 }
 
 /// Whether a name can stand in the header of a table and in a script.
-pub(crate) fn is_plain(name: &str) -> bool {
+pub fn is_plain(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || [' ', '_', '-', '.'].contains(&c))
 }
 

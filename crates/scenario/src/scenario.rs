@@ -123,7 +123,8 @@ impl Scenario {
         }
     }
 
-    pub(crate) fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
+    /// What is different about the tractor at a corner, from 1.
+    pub fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
         self.tractors.iter().find(|tractor| tractor.corner.get() == corner)
     }
 

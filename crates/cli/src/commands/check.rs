@@ -12,8 +12,8 @@ use netcast::dynamics::forces::breaking::Breaking;
 use netcast::dynamics::forces::law::Law;
 use netcast::dynamics::forces::viscoelastic::Viscoelastic;
 use netcast::dynamics::time::step::Stepper;
+use netcast::model::Thrown;
 use netcast::scenario::library::library;
-use netcast::scenario::lower::Thrown;
 use netcast::webs::{Class, PACKED_FILL};
 use netcast::{Document, Model, schedule};
 

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use netcast::Model;
+use netcast::model::node_id;
 use netcast::scenario::csv_files::{StowedNode, write_stow};
-use netcast::scenario::lower::node_id;
 
 use super::ScenarioArguments;
 use crate::Ended;

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use netcast_dynamics::simulate::{Schedule, simulate};
+use netcast_model::Model;
 use netcast_results::comparison::read_summary;
 use netcast_results::{Manifest, Recorder, ResultError, Summary, folder};
-use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Place};
 use serde_json::Value;
 

@@ -3,7 +3,7 @@
 use netcast::Model;
 use netcast::dynamics::air::Air;
 use netcast::dynamics::forces::body_drag::Shape;
-use netcast::scenario::lower::{AirOutline, Fall, RopesInAir};
+use netcast::model::{AirOutline, Fall, RopesInAir};
 
 use crate::screen::{number, rows, say};
 

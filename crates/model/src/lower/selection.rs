@@ -1,0 +1,116 @@
+//! Which nodes a load or a drive acts on, are tied, or stay put.
+
+use netcast_webs::CutWeb;
+
+use super::binding::Bound;
+use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
+use netcast_scenario::document::Document;
+use netcast_scenario::drive::Drive;
+use netcast_scenario::load::Load;
+use netcast_scenario::nearest::nearest;
+use netcast_scenario::path::Path;
+use netcast_scenario::scenario::Scenario;
+use netcast_scenario::tie::BreakTie;
+
+/// What a scenario names.
+pub struct Selection<'s> {
+    corners: bool,
+    tractors: bool,
+    nodes: &'s [String],
+    points: &'s [String],
+}
+
+impl<'s> From<&'s Load> for Selection<'s> {
+    fn from(load: &'s Load) -> Self {
+        Self { corners: load.corners, tractors: load.tractors, nodes: &load.nodes, points: &load.points }
+    }
+}
+
+impl<'s> From<&'s Drive> for Selection<'s> {
+    fn from(drive: &'s Drive) -> Self {
+        Self { corners: drive.corners, tractors: drive.tractors, nodes: &drive.nodes, points: &drive.points }
+    }
+}
+
+impl<'s> From<&'s BreakTie> for Selection<'s> {
+    fn from(tie: &'s BreakTie) -> Self {
+        Self { corners: tie.corners, tractors: tie.tractors, nodes: &tie.nodes, points: &tie.points }
+    }
+}
+
+impl Selection<'_> {
+    /// The nodes, each once, ascending. What is named wrongly stands below `path`.
+    pub fn resolve(&self, document: &Document, cut: &CutWeb, path: &Path) -> Result<Vec<usize>, Diagnostics> {
+        let (web, mut found) = (&cut.web, Vec::new());
+        let mut nodes = Vec::new();
+        for (key, asked, named) in [("corners", self.corners, &web.corners), ("tractors", self.tractors, &web.tractors)]
+        {
+            if asked && named.is_empty() {
+                found.push(document.diagnostic(&path.key(key).to_string(), format!("the web has no {key}")));
+            }
+            nodes.extend(named.iter().filter(|_| asked));
+        }
+        for (index, id) in self.nodes.iter().enumerate() {
+            match web.knot_named(id) {
+                Some(knot) => nodes.push(knot),
+                None => found.push(unknown_knot(document, &path.key("nodes").index(index).to_string(), id, cut)),
+            }
+        }
+        for (index, name) in self.points.iter().enumerate() {
+            match web.points.get(name) {
+                Some(&site) => nodes.push(cut.node_of(site)),
+                None => {
+                    let path = path.key("points").index(index).to_string();
+                    let near = nearest(name, web.points.keys()).map(|near| format!("did you mean {near:?}?"));
+                    let diagnostic = document.diagnostic(&path, format!("unknown feature point {name:?}"));
+                    found.push(diagnostic.with_help_if(near));
+                }
+            }
+        }
+        Diagnostics::fail_if_any(found)?;
+        nodes.sort_unstable();
+        nodes.dedup();
+        Ok(nodes)
+    }
+}
+
+/// The nodes that stay put: `[hold]` and what a graph's file says.
+pub fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bound]) -> Result<Vec<bool>, Diagnostics> {
+    let mut held = vec![false; cut.nodes.len()];
+    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+        held[node] = row.fixed;
+    }
+    let Some(hold) = &scenario.hold else { return Ok(held) };
+    let mut found = Vec::new();
+    if hold.corners {
+        if cut.web.corners.is_empty() {
+            found.push(document.diagnostic("hold.corners", "the web names no corners"));
+        }
+        for &corner in &cut.web.corners {
+            held[corner] = true;
+        }
+    }
+    for (index, id) in hold.nodes.iter().enumerate() {
+        let is_bound = |knot: usize| bound.iter().flat_map(|bound| &bound.body.ties).any(|tie| tie.node == knot);
+        match cut.web.knot_named(id) {
+            Some(knot) if is_bound(knot) => {
+                let message = format!("{id:?} is a part of a rigid body, which cannot be held at one of its points");
+                found.push(document.diagnostic(&format!("hold.nodes.{index}"), message));
+            }
+            Some(knot) => held[knot] = true,
+            None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
+        }
+    }
+    Diagnostics::fail_if_any(found)?;
+    Ok(held)
+}
+
+/// That there is no knot `id`, with the nearest that there is.
+pub fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diagnostic {
+    let known: Vec<&str> = cut.web.knots.iter().map(|k| &k.name[..]).collect();
+    let diagnostic = document.diagnostic(path, format!("unknown node {id:?}"));
+    match nearest(id, &known) {
+        Some(near) => diagnostic.with_help(format!("did you mean {near:?}?")),
+        None => diagnostic.with_help("`netcast stow --write FILE.csv` lists the names of all nodes"),
+    }
+}

@@ -1,0 +1,298 @@
+//! Where the nodes lie at launch, in the launch frame, and the audit of that.
+
+use glam::{DMat3, DVec3};
+use netcast_dynamics::forces::element::Element;
+use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::membrane::Membrane;
+use netcast_webs::{
+    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, PackingError, Pattern, Scale, Settled,
+    StiffPlate, StowedSegment, audit as look_over,
+};
+
+use super::canopies::{Canopies, CutSheet};
+use super::material::Materials;
+use super::prescribed::prescribed;
+use netcast_scenario::canopy::Canopy;
+use netcast_scenario::csv_files::StowRow;
+use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
+use netcast_scenario::document::Document;
+use netcast_scenario::interval::Positive;
+use netcast_scenario::nearest::nearest;
+use netcast_scenario::quantity::Length;
+use netcast_scenario::scenario::Scenario;
+use netcast_scenario::stow::{Along, Container as Room, PrescribedStow, Stow};
+
+/// Where everything is at launch, in the launch frame.
+#[derive(Debug, Clone)]
+pub struct Stowed {
+    /// Positions of all nodes, m.
+    pub positions: Vec<DVec3>,
+    /// How each canopy is turned against the flat web, where it keeps its shape.
+    pub turns: Vec<DMat3>,
+    /// How it came to rest, in words, where it had to.
+    pub settled: Option<String>,
+}
+
+/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes. `mass` is that of its nodes,
+/// kg; without it, nothing is led.
+pub fn stow(
+    document: &Document,
+    cut: &CutWeb,
+    scenario: &Scenario,
+    canopies: &Canopies,
+    mass: &[f64],
+) -> Result<Stowed, Diagnostics> {
+    let mut turns = vec![DMat3::IDENTITY; cut.web.canopies.len()];
+    let Some(stowage) = &scenario.stow else {
+        return Ok(Stowed { positions: cut.nodes.clone(), turns, settled: None });
+    };
+    let imperfection = stowage.imperfection.as_ref().map(|imperfect| Imperfection {
+        scatter: imperfect.scatter.si(),
+        twist: imperfect.twist.si(),
+        slack: imperfect.slack.si(),
+        seed: imperfect.seed.into(),
+    });
+    let pattern = match &stowage.pattern {
+        Stow::Scale(scale) => Pattern::Scale(Scale { factor: scale.factor.si() }),
+        Stow::Bag(bag) => Pattern::Bag(Bag {
+            radius: bag.radius.si(),
+            depth: bag.depth.map(|d| d.si()),
+            mouth: mouth(bag.tractor_radius, bag.tractor_gap),
+        }),
+        Stow::Prescribed(led) => return settle(document, cut, canopies, mass, (led, imperfection.as_ref()), turns),
+        Stow::File(_) => {
+            let rows = document.stowed.as_ref().expect("a document with a stow file has read it");
+            Pattern::Given(Given { positions: given(document, cut, rows)? })
+        }
+        Stow::Zigzag(zigzag) => {
+            let folding = match zigzag.along {
+                Along::Rings => Folding::Rings,
+                Along::Lines => Folding::Lines,
+            };
+            let mouth = mouth(zigzag.tractor_radius, zigzag.tractor_gap);
+            folded(folding, &zigzag.container, zigzag.spacing, mouth)
+        }
+        Stow::Star(star) => {
+            let folding = Folding::Star { arms: star.arms.map(|arms| arms.get()) };
+            folded(folding, &star.container, star.spacing, mouth(star.tractor_radius, star.tractor_gap))
+        }
+        Stow::Roll(roll) => {
+            folded(Folding::Roll, &roll.container, roll.spacing, mouth(roll.tractor_radius, roll.tractor_gap))
+        }
+        Stow::Layers(layers) => {
+            let mouth = mouth(layers.tractor_radius, layers.tractor_gap);
+            folded(Folding::Layers, &layers.container, layers.spacing, mouth)
+        }
+    };
+    let packed = pattern.pack_imperfectly(cut, imperfection.as_ref()).map_err(|error| {
+        let size = match &pattern {
+            Pattern::Scale(_) => "factor",
+            Pattern::Given(_) => "path",
+            Pattern::Bag(_) => "radius",
+            Pattern::Folded(_) => "container",
+        };
+        let key = key_of(&error).unwrap_or(size);
+        document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
+    })?;
+    let mut positions = packed;
+    let given = match &pattern {
+        Pattern::Given(given) => given,
+        Pattern::Folded(_) => {
+            let plates = canopies.laid_in_folds();
+            let turned = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
+            plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
+            return Ok(Stowed { positions, turns, settled: None });
+        }
+        Pattern::Scale(_) | Pattern::Bag(_) => {
+            StiffPlate::lay(&canopies.plates, cut, &mut positions);
+            return Ok(Stowed { positions, turns, settled: None });
+        }
+    };
+    for sheet in &canopies.sheets {
+        spread(sheet, given, &cut.nodes, &mut positions);
+    }
+    let mut found = Vec::new();
+    for plate in &canopies.plates {
+        match plate.fit(cut, &mut positions) {
+            Ok(turn) => turns[plate.canopy] = turn,
+            Err(off) => {
+                let number = cut.web.canopies[plate.canopy].number;
+                let message = format!(
+                    "canopy {number} keeps its shape, and its middle and corners do not lie as in the flat web: one of \
+                     them is {off:.3e} m off"
+                );
+                found.push(document.diagnostic("stow.file.path", message));
+            }
+        }
+    }
+    Diagnostics::fail_if_any(found)?;
+    Ok(Stowed { positions, turns, settled: None })
+}
+
+/// The web led into its container.
+fn settle(
+    document: &Document,
+    cut: &CutWeb,
+    canopies: &Canopies,
+    mass: &[f64],
+    (led, imperfection): (&PrescribedStow, Option<&Imperfection>),
+    mut turns: Vec<DMat3>,
+) -> Result<Stowed, Diagnostics> {
+    // what is wrong with the masses is told elsewhere
+    if mass.is_empty() {
+        return Err(Diagnostics(Vec::new()));
+    }
+    let packing = prescribed(document, cut, led, mass, canopies.laid_in_folds())?;
+    let (positions, turned, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
+        let key = key_of(&error).unwrap_or(if error == PackingError::NothingLed { "drive" } else { "radius" });
+        document.diagnostic(&format!("stow.prescribed.{key}"), error.to_string())
+    })?;
+    packing.plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
+    let how = if share <= packing.rest { "came to rest" } else { "was taken as it was" };
+    let settled =
+        format!("the web {how} in its container after {time:.2} s, at {share:.1e} of its largest kinetic energy");
+    Ok(Stowed { positions, turns, settled: Some(settled) })
+}
+
+/// The key of a packing's table that an error is about; none for the size of the pack.
+fn key_of(error: &PackingError) -> Option<&'static str> {
+    match error {
+        PackingError::Depth { .. } | PackingError::Size { what: "depth", .. } => Some("depth"),
+        PackingError::TractorOutOfReach { .. } => Some("tractor_radius"),
+        PackingError::Gap { .. } => Some("tractor_gap"),
+        _ => None,
+    }
+}
+
+fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mouth: Mouth) -> Pattern {
+    let container = match room {
+        Room::Cylinder(tube) => Container::Cylinder { radius: tube.radius.si(), height: tube.height.si() },
+        Room::Box(sizes) => {
+            let [width, breadth, height] = [sizes.width, sizes.breadth, sizes.height].map(|size| size.si());
+            Container::Box { width, breadth, height }
+        }
+    };
+    let spacing = spacing.expect("a complete scenario has it").si();
+    Pattern::Folded(Folded { folding, container, spacing, mouth })
+}
+
+pub(super) fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
+    Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
+}
+
+/// The rows of a stow file by node. Ids are those of knots, or a node's label, as `netcast stow --write` gives them.
+fn given(document: &Document, cut: &CutWeb, rows: &[StowRow]) -> Result<Vec<Option<DVec3>>, Diagnostics> {
+    let ids: std::collections::BTreeMap<String, usize> = (0..cut.nodes.len()).map(|n| (node_id(cut, n), n)).collect();
+    let mut positions = vec![None; cut.nodes.len()];
+    let mut found = Vec::new();
+    for row in rows {
+        match ids.get(&row.id) {
+            Some(&node) => positions[node] = Some(DVec3::from_array(row.position_m)),
+            None => {
+                let message = format!("line {}: the web has no node {:?}", row.line, row.id);
+                let help = nearest(&row.id, ids.keys()).map(|near| format!("did you mean {near:?}?"));
+                found.push(document.diagnostic("stow.file.path", message).with_help_if(help));
+            }
+        }
+    }
+    Diagnostics::fail_if_any(found)?;
+    Ok(positions)
+}
+
+/// What a stow file calls a node: a knot by its name, a node inside a rope by its label.
+pub fn node_id(cut: &CutWeb, node: usize) -> String {
+    cut.web.knots.get(node).map_or_else(|| cut.node_label(node), |knot| knot.name.clone())
+}
+
+/// Puts the nodes of a sheet that no file names where they lie between its middle and its corners.
+fn spread(sheet: &CutSheet, given: &Given, flat: &[DVec3], positions: &mut [DVec3]) {
+    let hub = sheet.nodes[0];
+    let corners = sheet.corners;
+    for &node in sheet.nodes.iter().filter(|&&node| given.positions[node].is_none()) {
+        let place = flat[node] - flat[hub];
+        // the sector that it lies in: the one where both shares are positive, or nothing but rounding
+        let shares = (0..6).map(|k| {
+            let [a, b] = [k, (k + 1) % 6].map(|k| flat[corners[k]] - flat[hub]);
+            let area = a.truncate().perp_dot(b.truncate());
+            let share =
+                [place.truncate().perp_dot(b.truncate()) / area, a.truncate().perp_dot(place.truncate()) / area];
+            (share, [corners[k], corners[(k + 1) % 6]])
+        });
+        let least = |share: &[f64; 2]| share[0].min(share[1]);
+        let sector = shares.reduce(|best, next| if least(&next.0) > least(&best.0) { next } else { best });
+        let (share, [a, b]) = sector.expect("there are six sectors");
+        let middle = positions[hub];
+        positions[node] = middle + share[0] * (positions[a] - middle) + share[1] * (positions[b] - middle);
+    }
+}
+
+/// A stress that rounding explains, as a share of the elastic modulus.
+const ROUNDING: f64 = 1e-9;
+
+/// Looks the start over. A web that is stowed may not be stretched, nor its struts compressed; one that starts as drawn
+/// may.
+pub fn audit(
+    document: &Document,
+    cut: &CutWeb,
+    materials: &Materials,
+    positions: &[DVec3],
+) -> Result<Audit, Diagnostics> {
+    let Materials { members, groups, canopies, .. } = materials;
+    let segments = members.iter().map(|m| {
+        let [a, b] = m.segment.ends;
+        StowedSegment { a, b, rest_length: m.segment.rest_length, stiffness: m.segment.stiffness }
+    });
+    let audit = look_over(positions, segments);
+    let Some(stow) = &document.scenario.stow else { return Ok(audit) };
+    let path = stow.pattern.table();
+    stretched_cloth(document, path, cut, canopies, positions)?;
+    let shortened = members.iter().filter(|m| groups[m.segment.class].law == Law::Strut).find_map(|member| {
+        let share = -member.segment.stretch(positions) / member.segment.rest_length;
+        (share > Audit::TOLERANCE).then(|| (member.label(cut), 100.0 * share))
+    });
+    if let Some((label, percent)) = shortened {
+        let message = format!("the stowed web compresses struts: {label} by {percent:.3} %");
+        let help = "leave the packing out, or give positions at which struts keep their length, by [stow.file]";
+        return Err(document.diagnostic(path, message).with_help(help).into());
+    }
+    match audit.longest {
+        Some(longest) if !audit.is_slack() => {
+            let message = format!(
+                "the stowed web is stretched: {} by {:.3} %, and {} segments in all (a packing may not stretch a rope)",
+                members[longest.segment].label(cut),
+                100.0 * longest.stretch,
+                audit.stretched
+            );
+            let diagnostic: Diagnostic = document.diagnostic(path, message);
+            Err(diagnostic.with_help(
+                "pack it closer, or give the rope no pretension; a slack in [stow.imperfection] shrinks any packing",
+            ).into())
+        }
+        _ => Ok(audit),
+    }
+}
+
+/// That a packing, at `path`, stretches no sheet.
+fn stretched_cloth(
+    document: &Document,
+    path: &str,
+    cut: &CutWeb,
+    canopies: &Canopies,
+    positions: &[DVec3],
+) -> Result<(), Diagnostics> {
+    let Some(Canopy::Membrane(sheet)) = &document.scenario.canopy else { return Ok(()) };
+    let stress = |triangle: &Membrane| {
+        (triangle.stress(triangle.nodes().map(|node| positions[node])).largest(), triangle.nodes()[0])
+    };
+    let larger = |one: (f64, usize), other: (f64, usize)| if other.0 > one.0 { other } else { one };
+    match canopies.membranes.iter().map(stress).reduce(larger) {
+        Some((largest, node)) if largest > ROUNDING * sheet.elastic_modulus.si() => {
+            let message = format!(
+                "the stowed web is stretched: the cloth at {} bears {largest:.3e} Pa (a packing may not stretch a sheet)",
+                cut.node_label(node)
+            );
+            Err(document.diagnostic(path, message).with_help("pack it closer").into())
+        }
+        _ => Ok(()),
+    }
+}
