@@ -2,7 +2,9 @@
 //! simulated, its state at the start, and the names of its parts.
 
 mod lower;
+mod model;
 
 pub use lower::{
-    AirOutline, CutSheet, Fall, Group, Link, Model, Packing, PlacedBody, Role, RopesInAir, Throw, Thrown, node_id,
+    AirOutline, CutSheet, Fall, Group, Link, Packing, PlacedBody, Role, RopesInAir, Throw, Thrown, node_id,
 };
+pub use model::Model;

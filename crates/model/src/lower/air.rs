@@ -19,9 +19,10 @@ use netcast_dynamics::state::State;
 use netcast_dynamics::system::SystemParts;
 use netcast_webs::{Class, CutWeb};
 
-use super::binding::Bound;
 use super::bodies::at_launch;
-use super::launch::{Throw, frame};
+use super::canopies::triangles;
+use super::draft::Draft;
+use super::launch::frame;
 use super::material::{Group, Member, PlacedBody, Role};
 use super::wind::wind;
 use netcast_scenario::air::{self, Solidity};
@@ -30,7 +31,6 @@ use netcast_scenario::canopy::Canopy;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::interval::{OpenShare, Within};
-use netcast_scenario::scenario::Scenario;
 
 /// Apothem over side of a regular hexagon: sqrt(3)/2.
 const APOTHEM: f64 = 0.866_025_403_784_438_6;
@@ -41,19 +41,6 @@ const JERKED: f64 = 3.0;
 /// Heights above the muzzle up to which a profile of the wind is tabulated, m.
 const LOWEST_TOP: f64 = 100.0;
 const HIGHEST_TOP: f64 = 3000.0;
-
-/// The web as it is made, of which the air takes hold.
-pub struct Made<'a> {
-    pub cut: &'a CutWeb,
-    pub members: &'a [Member],
-    pub groups: &'a [Group],
-    pub bodies: &'a [PlacedBody],
-    pub throws: &'a [Option<Throw>],
-    /// Triangles of its canopies.
-    pub triangles: &'a [[usize; 3]],
-    /// What of them is rigid: the first of the system's bodies.
-    pub bound: &'a [Bound],
-}
 
 /// What the air comes to, for those who look at it.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,22 +61,18 @@ pub struct AirOutline {
     pub web_buoyancy: f64,
 }
 
-/// Puts the air round a web that is otherwise complete; none where the scenario has none.
+/// Puts the air round a web that is otherwise complete, where the scenario has any.
 ///
 /// # Errors
 /// A wind or a solidity that cannot be.
-pub fn surround(
-    document: &Document,
-    scenario: &Scenario,
-    made: &Made,
-    (parts, state): (&mut SystemParts, &State),
-) -> Result<Option<AirOutline>, Diagnostics> {
-    let Some(asked) = &scenario.environment.air else { return Ok(None) };
+pub fn surround(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, groups, bodies, .. } = &*draft;
+    let Some(asked) = &scenario.environment.air else { return Ok(()) };
     let duration = scenario.solve.run_time().unwrap_or(0.0);
-    let launch_speed = launch_speed(parts, state);
-    let wind = wind(document, scenario, duration, (launch_speed * duration).clamp(LOWEST_TOP, HIGHEST_TOP))?;
-    let drawn_solidity = drawn_solidity(made);
-    let solidity = solidity(document, asked, drawn_solidity)?;
+    let launch_speed = launch_speed(&draft.parts, &draft.state);
+    let drawn_solidity = drawn_solidity(draft);
+    let wind = wind(document, scenario, duration, (launch_speed * duration).clamp(LOWEST_TOP, HIGHEST_TOP));
+    let (wind, solidity) = both(wind, solidity(document, asked, drawn_solidity))?;
     let medium = match (asked.density, asked.viscosity) {
         (Some(density), Some(viscosity)) => Medium::uniform(density.si(), viscosity.si()),
         _ => Medium::standard(asked.altitude.map_or(0.0, |altitude| altitude.si())),
@@ -105,34 +88,43 @@ pub fn surround(
     let reach = |shape: &Shape| shape.in_air().map_or(0.0, |shape| shape.radius_m());
     let is_hidden = |body: &&PlacedBody| body.role != Role::Tractor && reach(&body.solid.shape) < APOTHEM * canopy_side;
     let is_sizeless = |body: &&PlacedBody| !is_hidden(body) && drag_shape(&body.solid.shape).is_none();
-    let bodies = made.bodies.iter().filter(|body| !is_hidden(body));
+    let triangles = triangles(&draft.canopies.sheets, cut);
+    let dragging = bodies.iter().filter(|body| !is_hidden(body));
     let air = Air {
-        ropes: made.groups.iter().map(rope).collect(),
-        sheets: made
-            .triangles
-            .iter()
-            .map(|&nodes| SheetDrag { nodes, coefficient, area: area(made.cut, nodes) })
-            .collect(),
-        bodies: bodies.filter_map(|body| body_drag(scenario, made, parts, body)).collect(),
+        ropes: groups.iter().map(rope).collect(),
+        sheets: triangles.iter().map(|&nodes| SheetDrag { nodes, coefficient, area: area(cut, nodes) }).collect(),
+        bodies: dragging.filter_map(|body| body_drag(draft, body)).collect(),
         added_mass: asked.added_mass.si(),
         fastest: JERKED * launch_speed + fastest(&wind) + FALL,
         ..Air::new(medium, wind)
     };
     let lift = medium.density(0.0) * scenario.environment.gravity.si();
-    let (all, of_the_web) = match asked.buoyancy {
-        Some(true) => buoy(scenario, made, lift, parts),
-        _ => (0.0, 0.0),
-    };
-    parts.environment.air = Some(air);
-    Ok(Some(AirOutline {
+    let buoyed = if asked.buoyancy == Some(true) { buoy(draft, &triangles, lift) } else { Buoyed::default() };
+    let outline = AirOutline {
         launch_speed,
         drawn_solidity,
         solidity,
-        hidden: made.bodies.iter().filter(is_hidden).count(),
-        sizeless: made.bodies.iter().filter(is_sizeless).count(),
-        buoyancy: all,
-        web_buoyancy: of_the_web,
-    }))
+        hidden: bodies.iter().filter(is_hidden).count(),
+        sizeless: bodies.iter().filter(is_sizeless).count(),
+        buoyancy: buoyed.all,
+        web_buoyancy: buoyed.web,
+    };
+    draft.parts.loads.extend(buoyed.loads);
+    draft.parts.environment.air = Some(air);
+    draft.air = Some(outline);
+    Ok(())
+}
+
+/// Both, or what is wrong with either.
+fn both<A, B>(one: Result<A, Diagnostics>, other: Result<B, Diagnostic>) -> Result<(A, B), Diagnostics> {
+    match (one, other) {
+        (Ok(one), Ok(other)) => Ok((one, other)),
+        (Err(Diagnostics(mut wrong)), other) => {
+            wrong.extend(other.err());
+            Err(Diagnostics(wrong))
+        }
+        (Ok(_), Err(wrong)) => Err(wrong.into()),
+    }
 }
 
 /// Area of a triangle as drawn, m^2.
@@ -168,12 +160,12 @@ fn fastest(wind: &Wind) -> f64 {
 }
 
 /// Projected area of the web's ropes as drawn, traction apart, over the area within its outline.
-fn drawn_solidity(made: &Made) -> Option<f64> {
-    let area = made.cut.web.reference_area().filter(|area| *area > 0.0)?;
-    let projected = made.members.iter().filter_map(|Member { segment, .. }| {
-        let group = &made.groups[segment.class];
+fn drawn_solidity(draft: &Draft) -> Option<f64> {
+    let area = draft.cut.web.reference_area().filter(|area| *area > 0.0)?;
+    let projected = draft.members.iter().filter_map(|Member { segment, .. }| {
+        let group = &draft.groups[segment.class];
         let diameter = group.diameter.filter(|_| group.class != Class::Traction)?;
-        let [a, b] = segment.ends.map(|end| made.cut.nodes[end]);
+        let [a, b] = segment.ends.map(|end| draft.cut.nodes[end]);
         Some(a.distance(b) * diameter)
     });
     Some(projected.sum::<f64>() / area)
@@ -197,19 +189,21 @@ fn solidity(document: &Document, asked: &air::Air, drawn: Option<f64>) -> Result
 }
 
 /// A body that drags, where it has a size.
-fn body_drag(scenario: &Scenario, made: &Made, parts: &SystemParts, body: &PlacedBody) -> Option<BodyDrag> {
+fn body_drag(draft: &Draft, body: &PlacedBody) -> Option<BodyDrag> {
+    let Draft { scenario, cut, throws, parts, .. } = draft;
     let shape = drag_shape(&body.solid.shape)?;
-    let carrying = || made.bound.iter().position(|bound| bound.body.ties.iter().any(|tie| tie.node == body.node));
+    let bound = &draft.canopies.bound;
+    let carrying = || bound.iter().position(|bound| bound.body.ties.iter().any(|tie| tie.node == body.node));
     let (node, attitude, shape) = match (body.role, body.rigid) {
         (_, Some(rigid)) => (body.node, Attitude::Body(rigid), shape),
         (Role::Tractor, None) => {
-            let corner = made.cut.web.tractors.iter().position(|&tractor| tractor == body.node)?;
-            let turn = at_launch(made.cut, scenario, made.throws[corner].as_ref(), corner);
+            let corner = cut.web.tractors.iter().position(|&tractor| tractor == body.node)?;
+            let turn = at_launch(cut, scenario, throws[corner].as_ref(), corner);
             (body.node, Attitude::Fixed(turn), shape)
         }
         // what is a part of a rigid canopy turns with it
         (_, None) => match carrying() {
-            Some(rigid) => (parts.bodies[rigid].centre, Attitude::Body(rigid), along(&made.bound[rigid].axes, shape)),
+            Some(rigid) => (parts.bodies[rigid].centre, Attitude::Body(rigid), along(&bound[rigid].axes, shape)),
             None => (body.node, Attitude::Fixed(DQuat::from_mat3(&frame(scenario))), shape),
         },
     };
@@ -234,28 +228,39 @@ fn along(axes: &DMat3, shape: DragShape) -> DragShape {
     }
 }
 
-/// Adds what buoys ropes, canopies and bodies up, `lift` N for each cubic metre; says how much that is in all, and on the
-/// web without traction ropes and tractors, N. What is held needs none, as it needs no weight.
-fn buoy(scenario: &Scenario, made: &Made, lift: f64, parts: &mut SystemParts) -> (f64, f64) {
+/// What buoys a web up.
+#[derive(Default)]
+struct Buoyed {
+    /// Upward forces on the nodes that are free.
+    loads: Vec<Load>,
+    /// On all of it, N.
+    all: f64,
+    /// On the web without traction ropes and tractors, N.
+    web: f64,
+}
+
+/// What buoys ropes, canopies and bodies up, `lift` N for each cubic metre. What is held needs none, as it needs no weight.
+fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyed {
+    let Draft { scenario, cut, groups, members, bodies, parts, .. } = draft;
     let (mut upward, mut of_the_web) = (vec![0.0; parts.mass.len()], 0.0);
     let mut share = |nodes: &[usize], volume: f64, is_web: bool| {
         nodes.iter().for_each(|&node| upward[node] += lift * volume / nodes.len() as f64);
         of_the_web += if is_web { lift * volume } else { 0.0 };
     };
-    for Member { segment, .. } in made.members {
-        let group = &made.groups[segment.class];
+    for Member { segment, .. } in members {
+        let group = &groups[segment.class];
         let section = group.diameter.map_or(0.0, |diameter| 0.25 * PI * diameter * diameter);
         share(&segment.ends, section * segment.rest_length, group.class != Class::Traction);
     }
     let cloth = scenario.canopy.as_ref().map_or(0.0, |canopy| canopy.mass_and_volume().1);
-    for nodes in made.triangles {
-        share(nodes, cloth * made.cut.web.canopies.len() as f64 / made.triangles.len() as f64, true);
+    for nodes in triangles {
+        share(nodes, cloth * cut.web.canopies.len() as f64 / triangles.len() as f64, true);
     }
-    for body in made.bodies {
+    for body in bodies {
         let volume = body.solid.shape.in_air().map_or(0.0, |shape| shape.volume_m3());
         share(&[body.node], volume, body.role != Role::Tractor);
     }
     let buoyed = upward.iter().enumerate().filter(|&(node, force)| *force > 0.0 && !parts.held[node]);
-    parts.loads.extend(buoyed.map(|(node, &force)| Load { node, force: DVec3::Z * force, ramp: 0.0 }));
-    (upward.iter().sum(), of_the_web)
+    let loads = buoyed.map(|(node, &force)| Load { node, force: DVec3::Z * force, ramp: 0.0 }).collect();
+    Buoyed { loads, all: upward.iter().sum(), web: of_the_web }
 }

@@ -10,27 +10,45 @@ use netcast_scenario::csv_files::RopeRow;
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
 use netcast_scenario::nearest::nearest;
+use netcast_scenario::path::Path;
 use netcast_scenario::rope::Rope;
 use netcast_scenario::scenario::Scenario;
+
+use super::draft::Draft;
 
 /// What the default rope is called.
 const DEFAULT: &str = "rope";
 
-/// The rope of each of the web's links: its name in `[ropes]`, else `rope`, and its properties.
+/// The ropes of a scenario with their names, the default one last.
+pub fn ropes(scenario: &Scenario) -> Vec<(&str, &Rope)> {
+    let named = scenario.ropes.iter().map(|(name, rope)| (&name[..], rope));
+    named.chain([(DEFAULT, &scenario.rope)]).collect()
+}
+
+/// The table of a rope, by its name.
+pub fn table_of(name: &str) -> Path {
+    match name {
+        DEFAULT => Path::default().key(DEFAULT),
+        name => Path::default().key("ropes").key(name),
+    }
+}
+
+/// The rows of a graph's ropes, in the order of its links; none of another web.
+pub fn rows(document: &Document) -> &[RopeRow] {
+    document.graph.as_ref().map_or(&[][..], |graph| &graph.ropes)
+}
+
+/// Gives each of the web's links its rope.
 ///
 /// # Errors
 /// What `[assign]` names and the web does not have.
-pub fn ropes_of_links<'s>(
-    document: &Document,
-    scenario: &'s Scenario,
-    web: &Web,
-    rows: &'s [RopeRow],
-    notes: &mut Vec<String>,
-) -> Result<Vec<(&'s str, &'s Rope)>, Diagnostics> {
+pub fn assign(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, notes, kinds, .. } = draft;
+    let (web, rows, known) = (&cut.web, rows(document), ropes(scenario));
     let rings = rings(web);
     let names: Vec<[Option<String>; 3]> = web.ropes.iter().zip(&rings).map(|(link, ring)| names(link, *ring)).collect();
     unknown_names(document, scenario, web, &names)?;
-    let ropes: Vec<(&str, &Rope)> = web
+    *kinds = web
         .ropes
         .iter()
         .zip(&names)
@@ -41,13 +59,13 @@ pub fn ropes_of_links<'s>(
             let name = of_row
                 .or_else(|| assigned(&link.label))
                 .or_else(|| names.iter().flatten().find_map(|name| assigned(name)));
-            let found = name.and_then(|name| Some((name, scenario.ropes.get(name)?)));
-            found.unwrap_or((DEFAULT, &scenario.rope))
+            let found = name.and_then(|name| known.iter().position(|(known, _)| *known == name));
+            found.unwrap_or(known.len() - 1)
         })
         .collect();
-    let is_idle = |name: &&String| !ropes.iter().any(|(used, _)| used == name);
-    notes.extend(scenario.ropes.keys().filter(is_idle).map(|name| format!("no link is made of [ropes.{name}]")));
-    Ok(ropes)
+    let idle = (0..scenario.ropes.len()).filter(|kind| !kinds.contains(kind));
+    notes.extend(idle.map(|kind| format!("no link is made of [ropes.{}]", known[kind].0)));
+    Ok(())
 }
 
 /// The names of a link beside its own, the narrowest first: that of all its ropes, its ring, its class.
@@ -84,7 +102,7 @@ fn unknown_names(
         let near = nearest(name, classes.iter().copied().chain(known).chain(web.ropes.iter().map(|l| &l.label[..])));
         let near = near.map_or(String::new(), |near| format!("did you mean {near:?}? "));
         let message = format!("this web has no link class {name:?}, nor a ring or link of that name");
-        let path = netcast_scenario::path::Path::default().key("assign").key(name);
+        let path = Path::default().key("assign").key(name);
         let help = format!("{near}it has: {}; `netcast check --links` lists every link", classes.join(", "));
         found.push(document.written.at_value(&path, message).with_help(help));
     }

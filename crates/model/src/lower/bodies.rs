@@ -6,28 +6,19 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use netcast_dynamics::body::{Body, Tie};
-use netcast_dynamics::state::State;
-use netcast_dynamics::system::SystemParts;
 use netcast_webs::CutWeb;
 
+use super::draft::Draft;
 use super::launch::Throw;
 use super::material::{PlacedBody, Role};
 use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
 use netcast_scenario::launch::Attitude;
 use netcast_scenario::scenario::Scenario;
 use netcast_scenario::tractor::TiedAt;
 
-/// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and puts `placed` onto their
-/// centres.
-pub fn make_rigid(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    throws: &[Option<Throw>],
-    placed: &mut [PlacedBody],
-    (parts, state): (&mut SystemParts, &mut State),
-) -> Result<(), Diagnostics> {
+/// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and places these on their centres.
+pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, throws, bodies: placed, parts, state, .. } = draft;
     let mut found = Vec::new();
     let tractors = placed.iter_mut().filter(|body| body.role == Role::Tractor);
     for body in tractors {
@@ -57,6 +48,24 @@ pub fn make_rigid(
         (body.node, body.rigid) = (centre, Some(parts.bodies.len() - 1));
     }
     Diagnostics::fail_if_any(found)
+}
+
+/// Makes what acts on a tractor, or throws it, do so at its centre, and lists the tractors' centres.
+pub fn act_on_centres(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { cut, throws, tractors, parts, .. } = draft;
+    let bodies = &parts.bodies;
+    let centre_of = |knot: usize| {
+        let body = bodies.iter().find(|body| body.ties.iter().any(|tie| tie.node == knot));
+        body.map_or(knot, |body| body.centre)
+    };
+    for load in parts.loads.iter_mut().filter(|load| cut.web.tractors.contains(&load.node)) {
+        load.node = centre_of(load.node);
+    }
+    *tractors = cut.web.tractor_ring().into_iter().map(centre_of).collect();
+    for throw in throws.iter_mut().flatten() {
+        throw.node = centre_of(throw.node);
+    }
+    Ok(())
 }
 
 /// Where the ropes of the tractor at a corner, from 1, are tied, from its centre along its axes, m, and what says so.

@@ -5,10 +5,12 @@ use netcast_dynamics::forces::element::ElementError;
 use netcast_dynamics::forces::hinge::{Hinge, flexural_rigidity};
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
-use netcast_webs::{CutWeb, Sheet, StiffPlate, hexagonal_sheet};
+use netcast_webs::{Class, CutWeb, Sheet, StiffPlate, hexagonal_sheet};
 
 use super::binding::{Binding, Bound, Lump};
-use super::material::PlacedBody;
+use super::canopy_links;
+use super::draft::Draft;
+use super::material::{PlacedBody, add_links, canopy_of, group_number};
 use netcast_scenario::canopy::{Canopy, CanopyMembrane, SheetBending};
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
@@ -30,6 +32,27 @@ pub struct Canopies {
     bindings: Vec<Binding>,
 }
 
+/// Makes the canopies: members, plates or sheets. Adds nodes to the web, and what canopies weigh to the mass of their nodes.
+///
+/// # Errors
+/// A sheet that cannot be meshed as asked, or whose material cannot be.
+pub fn make(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Some(canopy) = canopy_of(&draft.scenario, &draft.cut) else { return Ok(()) };
+    let Draft { document, cut, groups, members, bodies, parts, .. } = draft;
+    match &canopy {
+        Canopy::Links(links) => {
+            let made = canopy_links::members(links, canopy.mass_and_volume().0);
+            add_links(cut, &made, group_number(groups, &Class::Canopy, None), members, &mut parts.mass);
+        }
+        Canopy::Rigid(plate) => {
+            let lump = hexagonal_plate(canopy.mass_and_volume().0, canopy.side_m(), plate.thickness.si());
+            draft.canopies = rigid(cut, lump);
+        }
+        Canopy::Membrane(sheet) => draft.canopies = sheets(document, sheet, bodies, cut, &mut parts.mass)?,
+    }
+    Ok(())
+}
+
 /// A canopy as a sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutSheet {
@@ -42,28 +65,6 @@ pub struct CutSheet {
 }
 
 impl Canopies {
-    /// The canopies of a web; adds nodes to it and to `mass`, kg, and what they weigh to the mass of their nodes.
-    /// `bodies` are what sits on them.
-    ///
-    /// # Errors
-    /// A sheet that cannot be meshed as asked, or whose material cannot be.
-    pub fn new(
-        document: &Document,
-        canopy: &Canopy,
-        bodies: &[PlacedBody],
-        cut: &mut CutWeb,
-        mass: &mut Vec<f64>,
-    ) -> Result<Self, Diagnostics> {
-        match canopy {
-            Canopy::Links(_) => Ok(Self::default()),
-            Canopy::Rigid(plate) => {
-                let lump = hexagonal_plate(canopy.mass_and_volume().0, canopy.side_m(), plate.thickness.si());
-                Ok(rigid(cut, lump))
-            }
-            Canopy::Membrane(sheet) => sheets(document, sheet, bodies, cut, mass),
-        }
-    }
-
     /// Whether a node is bound to others, and then makes what sits there a part of that.
     pub fn carry(&mut self, body: &PlacedBody, cut: &CutWeb) -> bool {
         let binding = self.bindings.iter_mut().find(|binding| binding.nodes.contains(&body.node));

@@ -9,7 +9,6 @@ use netcast_webs::{
 use netcast_scenario::csv_files::GraphFiles;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
-use netcast_scenario::is_plain;
 use netcast_scenario::quantity::Length;
 use netcast_scenario::scenario::Scenario;
 use netcast_scenario::web;
@@ -22,7 +21,7 @@ const SEGMENTS_PER_RADIUS: f64 = 25.0;
 /// Draws and cuts the web; writes the segment length into `scenario` where it was left out.
 pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String>) -> Result<CutWeb, Diagnostics> {
     let mut web = kind(document, scenario, notes)?;
-    name_points(document, scenario, &mut web)?;
+    name_points(scenario, &mut web);
     let per_mesh = match &scenario.web {
         web::Web::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
         _ => None,
@@ -203,28 +202,16 @@ fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) ->
     document.diagnostic(path, format!("{at}{error}"))
 }
 
-/// Checks the names in `[points]`, and finds the knots of a web that is not a graph.
-fn name_points(document: &Document, scenario: &Scenario, web: &mut Web) -> Result<(), Diagnostics> {
-    let mut found = Vec::new();
-    for name in scenario.points.keys() {
-        let why = match &name[..] {
-            "tractor" | "corner" | "centre" => "is followed in every run already",
-            name if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
-            _ => continue,
-        };
-        let message = format!("the feature point {name:?} {why}");
-        found.push(document.diagnostic(&format!("points.{name}"), message).with_help("choose another name"));
+/// Finds the feature points of a web that is not a graph; those that it has not are told later.
+fn name_points(scenario: &Scenario, web: &mut Web) {
+    if matches!(scenario.web, web::Web::Graph(_)) {
+        return;
     }
-    let is_graph = matches!(scenario.web, web::Web::Graph(_));
-    for (name, id) in scenario.points.iter().filter(|_| !is_graph) {
-        match web.knot_named(id) {
-            Some(knot) => {
-                web.points.insert(name.clone(), Site::Knot(knot));
-            }
-            None => found.push(document.diagnostic(&format!("points.{name}"), format!("unknown node {id:?}"))),
+    for (name, id) in &scenario.points {
+        if let Some(knot) = web.knot_named(id) {
+            web.points.insert(name.clone(), Site::Knot(knot));
         }
     }
-    Diagnostics::fail_if_any(found)
 }
 
 fn add_traction(document: &Document, scenario: &Scenario, web: Web) -> Result<Web, Diagnostics> {

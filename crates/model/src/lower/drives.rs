@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use netcast_dynamics::drive::Drive;
-use netcast_dynamics::system::SystemParts;
 use netcast_webs::CutWeb;
 
+use super::draft::Draft;
 use super::selection::Selection;
 use netcast_scenario::csv_files::PathRow;
 use netcast_scenario::diagnostic::Diagnostics;
@@ -63,14 +63,19 @@ impl Drives<'_> {
     }
 }
 
+/// Finds what is driven.
+pub fn drive(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, parts, state, .. } = draft;
+    let named = Drives { table: "drive", drives: &scenario.drive, files: &document.paths };
+    parts.drives = named.resolve(document, cut, &state.position)?;
+    Ok(())
+}
+
 /// Holds what is driven. What drives a tractor or the middle of a canopy that is a rigid body drives the body's centre;
 /// the body turns freely about it.
-pub fn take_hold(
-    document: &Document,
-    cut: &CutWeb,
-    parts: &mut SystemParts,
-    position: &[DVec3],
-) -> Result<(), Diagnostics> {
+pub fn take_hold(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, parts, state, .. } = draft;
+    let position = &state.position;
     let mut found = Vec::new();
     for drive in &mut parts.drives {
         let node = drive.node;

@@ -6,8 +6,8 @@ use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_webs::Class;
 
-use super::Model;
 use super::air::AirOutline;
+use crate::Model;
 use netcast_scenario::scenario::Scenario;
 
 /// Ropes of one name in the air; those of a screen apart from others.

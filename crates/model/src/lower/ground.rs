@@ -4,16 +4,11 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use netcast_dynamics::forces::ground::{Footing, Ground, Hull, Spring};
-use netcast_dynamics::state::State;
-use netcast_dynamics::system::SystemParts;
-use netcast_webs::CutWeb;
 
-use super::material::PlacedBody;
+use super::draft::Draft;
 use netcast_scenario::body::Shape;
 use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
 use netcast_scenario::quantity::Length;
-use netcast_scenario::scenario::Scenario;
 
 /// The highest muzzle above the ground for which there are profiles of the wind, m.
 const HIGHEST_MUZZLE: f64 = 2000.0;
@@ -24,13 +19,8 @@ const RIM: usize = 8;
 ///
 /// # Errors
 /// Something lies below it at the start.
-pub fn lay(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &mut Scenario,
-    placed: &[PlacedBody],
-    (parts, state): (&mut SystemParts, &State),
-) -> Result<(), Diagnostics> {
+pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, bodies: placed, parts, state, .. } = draft;
     let Some(asked) = &mut scenario.environment.ground else { return Ok(()) };
     let spring = |mass: f64| Spring::bouncing(mass, asked.contact_time.si(), asked.restitution.si());
     let (mut nodes, mut hulls) = (Vec::new(), Vec::new());

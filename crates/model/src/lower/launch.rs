@@ -6,6 +6,7 @@ use glam::{DMat3, DVec3};
 use netcast_dynamics::launcher::{Curve, Push};
 use netcast_webs::CutWeb;
 
+use super::draft::Draft;
 use super::scatter::Chance;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
@@ -75,10 +76,11 @@ pub fn own_velocities(document: &Document, cut: &CutWeb, frame: DMat3) -> Vec<DV
     velocity
 }
 
-/// How each tractor is thrown, along the axis and away from it in the direction of its own corner; none where it is not.
+/// Finds how each tractor is thrown, along the axis and away from it in the direction of its own corner; none where it is not.
 /// In the order of the corners, (tractors,).
-pub fn throws(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<Vec<Option<Throw>>, Diagnostics> {
-    let web = &cut.web;
+pub fn throws(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, throws, .. } = draft;
+    let (web, scenario) = (&cut.web, &*scenario);
     let mut found = Vec::new();
     for (index, tractor) in scenario.tractors.iter().enumerate() {
         let corner = tractor.corner.get() as usize;
@@ -127,13 +129,13 @@ pub fn throws(document: &Document, cut: &CutWeb, scenario: &Scenario) -> Result<
         };
         Some(Throw { corner, node: web.tractors[index], delay, direction, by, launcher: None })
     };
-    let mut throws: Vec<Option<Throw>> = (0..web.tractors.len()).map(throw).collect();
+    *throws = (0..web.tractors.len()).map(throw).collect();
     if scatter.is_some_and(|scatter| scatter.delay.si() > 0.0) {
         // chance may put a launch before its time: the first to go sets the clock
         let earliest = throws.iter().flatten().map(|throw| throw.delay).fold(f64::INFINITY, f64::min);
         throws.iter_mut().flatten().for_each(|throw| throw.delay -= earliest);
     }
-    Ok(throws)
+    Ok(())
 }
 
 /// What a launch asks for that cannot be had together.

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use netcast_dynamics::forces::load::Load;
-use netcast_webs::CutWeb;
 
+use super::draft::Draft;
 use super::material::{Group, Member};
 use super::selection::Selection;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
@@ -11,17 +11,11 @@ use netcast_scenario::document::Document;
 use netcast_scenario::load;
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path;
-use netcast_scenario::scenario::Scenario;
 
-/// The loads, by name and then by node. A force per length of rope goes to the ends of each segment, half to either.
-pub fn loads(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    members: &[Member],
-    groups: &[Group],
-) -> Result<Vec<Load>, Diagnostics> {
-    let (mut loads, mut found) = (Vec::new(), Vec::new());
+/// Adds the loads, by name and then by node. A force per length of rope goes to the ends of each segment, half to either.
+pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, members, groups, parts, .. } = draft;
+    let mut found = Vec::new();
     for (name, load) in &scenario.load {
         let path = Path::default().key("load").key(name);
         let ramp = load.ramp.map_or(0.0, |ramp| ramp.si());
@@ -37,12 +31,11 @@ pub fn loads(
             }
         };
         match forces {
-            Ok(forces) => loads.extend(forces.into_iter().map(|(node, force)| Load { node, force, ramp })),
+            Ok(forces) => parts.loads.extend(forces.into_iter().map(|(node, force)| Load { node, force, ramp })),
             Err(Diagnostics(wrong)) => found.extend(wrong),
         }
     }
-    Diagnostics::fail_if_any(found)?;
-    Ok(loads)
+    Diagnostics::fail_if_any(found)
 }
 
 /// The forces on the nodes of a class's ropes; none where no rope is of that class.

@@ -7,15 +7,14 @@ use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
 use netcast_dynamics::system::Segment;
-use netcast_webs::{Bill, Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
+use netcast_webs::{Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
-use super::assignment::{rings, ropes_of_links};
-use super::canopies::Canopies;
+use super::assignment::{self, rings};
+use super::draft::Draft;
 use super::{canopy_links, rope_law};
 use netcast_scenario::canopy::Canopy;
 use netcast_scenario::csv_files::RopeRow;
 use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
 use netcast_scenario::rope::{Damping, Rope};
 use netcast_scenario::scenario::Scenario;
 
@@ -63,17 +62,6 @@ impl Member {
     }
 }
 
-/// What the web is made of.
-pub struct Materials {
-    pub members: Vec<Member>,
-    pub mass: Vec<f64>,
-    pub groups: Vec<Group>,
-    pub bends: Vec<Bending>,
-    pub canopies: Canopies,
-    pub bodies: Vec<PlacedBody>,
-    pub bill: Bill,
-}
-
 /// Segments of one link class that are made of one kind of rope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
@@ -91,6 +79,13 @@ pub struct Group {
     pub law: Law,
     /// What it bears at most away from knots; the weakest of ties and stitches.
     pub breaking: Breaking,
+}
+
+impl Group {
+    /// Segments that are no rope: members of canopies, ties, stitches.
+    pub(crate) fn of_threads(class: Class, breaking: Breaking) -> Group {
+        Group { class, rope: None, diameter: None, strength: None, knot_reduction: None, law: Law::Linear, breaking }
+    }
 }
 
 /// What a body is there for.
@@ -149,66 +144,126 @@ pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> V
     first_pieces.map(link).collect()
 }
 
-/// Makes segments and masses of a cut web.
-pub fn materials(
-    document: &Document,
-    cut: &mut CutWeb,
-    scenario: &Scenario,
-    notes: &mut Vec<String>,
-) -> Result<Materials, Diagnostics> {
-    let web = &cut.web.clone();
-    let rows = document.graph.as_ref().map_or(&[][..], |g| &g.ropes);
-    let kinds = ropes_of_links(document, scenario, web, rows, notes)?;
-    let canopy = (!web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default());
-    let groups = groups(document, scenario, web, &kinds, matches!(canopy, Some(Canopy::Links(_))))?;
-    let group_number = |class: &Class, rope: Option<&str>| {
-        let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
-        groups.iter().position(is_it).expect("every class is listed with its ropes")
+/// Finds each pair of link class and rope that the web has, in order of class, with the law of the rope.
+pub fn groups(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, groups, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let mut found = Vec::new();
+    let mut law_of = |kind: usize| {
+        let (name, rope) = known[kind];
+        let is_used = kinds.contains(&kind);
+        let law = is_used.then(|| rope_law::law(document, &assignment::table_of(name), rope));
+        law.and_then(|law| law.map_err(|Diagnostics(wrong)| found.extend(wrong)).ok())
     };
-    let group_of_rope: Vec<usize> =
-        web.ropes.iter().zip(&kinds).map(|(rope, (name, _))| group_number(&rope.class, Some(name))).collect();
+    let laws: Vec<Option<Law>> = (0..known.len()).map(&mut law_of).collect();
+    Diagnostics::fail_if_any(found)?;
+    for (rope, &kind) in cut.web.ropes.iter().zip(&*kinds) {
+        let ((name, made_of), Some(law)) = (known[kind], &laws[kind]) else { continue };
+        if !groups.iter().any(|known| known.class == rope.class && known.rope.as_deref() == Some(name)) {
+            groups.push(Group {
+                class: rope.class.clone(),
+                rope: Some(name.to_owned()),
+                diameter: Some(made_of.diameter.si()),
+                strength: made_of.strength.map(|strength| strength.si()),
+                knot_reduction: made_of.knot_reduction.map(|share| share.si()),
+                law: law.clone(),
+                breaking: rope_law::breaking(made_of, false),
+            });
+        }
+    }
+    if let Some(Canopy::Links(_)) = canopy_of(scenario, cut) {
+        groups.push(Group::of_threads(Class::Canopy, Breaking::NEVER));
+    }
+    groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
+    Ok(())
+}
 
-    let mut mass = vec![0.0; cut.nodes.len()];
-    let mut members = Vec::with_capacity(cut.segment_count());
+/// The canopies of a web; none where it has none.
+pub fn canopy_of(scenario: &Scenario, cut: &CutWeb) -> Option<Canopy> {
+    (!cut.web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default())
+}
+
+/// The number of the group of a class and a rope.
+pub fn group_number(groups: &[Group], class: &Class, rope: Option<&str>) -> usize {
+    let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
+    groups.iter().position(is_it).expect("every class is listed with its ropes")
+}
+
+/// Makes the segments of the web's ropes, and puts their masses on its nodes.
+pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, groups, members, parts, .. } = draft;
+    let (web, rows, known) = (&cut.web, assignment::rows(document), assignment::ropes(scenario));
+    let group_of_rope: Vec<usize> =
+        web.ropes.iter().zip(&*kinds).map(|(r, &kind)| group_number(groups, &r.class, Some(known[kind].0))).collect();
+    parts.mass = vec![0.0; cut.nodes.len()];
+    members.reserve(cut.segment_count());
     for segment in cut.segments() {
         let rope = &web.ropes[segment.rope];
-        let pretension = pretension(rope.rest_length.is_some(), kinds[segment.rope].1, rows.get(segment.rope));
-        let (kind, group, ends) = (kinds[segment.rope].1, group_of_rope[segment.rope], [segment.a, segment.b]);
+        let kind = known[kinds[segment.rope]].1;
+        let pretension = pretension(rope.rest_length.is_some(), kind, rows.get(segment.rope));
+        let (group, ends) = (group_of_rope[segment.rope], [segment.a, segment.b]);
         let piece = Piece::new(kind, &groups[group].law, segment.rest_length, pretension);
         let breaking = rope_law::breaking(kind, ends.iter().any(|&end| end < web.knots.len()));
-        let piece = Segment { breaking, ..piece.between(ends, group, &mut mass) };
+        let piece = Segment { breaking, ..piece.between(ends, group, &mut parts.mass) };
         members.push(Member { segment: piece, part: Part::Rope(segment) });
     }
+    Ok(())
+}
 
-    let bends = bends(document, cut, &kinds)?;
-
-    let bodies = bodies(scenario, web);
-    let (mut canopies, mut cloth) = (Canopies::default(), Solid::default());
-    if let Some(canopy) = &canopy {
-        (cloth.mass, cloth.volume) = canopy.mass_and_volume();
-        if let Canopy::Links(links) = canopy {
-            let made = canopy_links::members(links, cloth.mass);
-            add_canopies(cut, &made, group_number(&Class::Canopy, None), &mut members, &mut mass);
+/// Finds where ropes resist bending: at every node inside a rope that has a bending stiffness. Knots turn freely.
+pub fn bends(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, parts, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let mut found = Vec::new();
+    for (rope, &kind) in kinds.iter().enumerate() {
+        let (name, kind) = known[kind];
+        let Some(stiffness) = kind.bending_stiffness else { continue };
+        let Piece { rest_length, damping, stiffness: axial, .. } =
+            Piece::new(kind, &Law::Linear, cut.ropes[rope].segment_length, 0.0);
+        for nodes in cut.nodes_of(rope).windows(3) {
+            let nodes = [nodes[0], nodes[1], nodes[2]];
+            match Bending::new(nodes, [rest_length; 2], stiffness.si(), damping / axial) {
+                Ok(bend) => parts.bends.push(bend),
+                Err(error) => {
+                    let path = assignment::table_of(name).key("bending_stiffness");
+                    found.push(document.diagnostic(&path.to_string(), error.to_string()));
+                    break;
+                }
+            }
         }
-        canopies = Canopies::new(document, canopy, &bodies, cut, &mut mass)?;
     }
-    for body in &bodies {
+    Diagnostics::fail_if_any(found)
+}
+
+/// Puts on the nodes what weighs on them beside ropes and canopies, and binds together what is rigid.
+pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, canopies, bodies, parts, .. } = draft;
+    for body in &*bodies {
         if !canopies.carry(body, cut) {
-            mass[body.node] += body.solid.mass_kg;
+            parts.mass[body.node] += body.solid.mass_kg;
         }
     }
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
-        mass[node] += row.mass_kg;
+        parts.mass[node] += row.mass_kg;
     }
-    canopies.bind(cut, &mut mass);
+    canopies.bind(cut, &mut parts.mass);
+    Ok(())
+}
+
+/// Lists the materials.
+pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { scenario, cut, kinds, bodies, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let cloth = canopy_of(scenario, cut).map(|canopy| canopy.mass_and_volume());
+    let cloth = cloth.map_or(Solid::default(), |(mass, volume)| Solid { mass, volume });
     let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
     let tractor_masses = tractors.map(|body| body.solid.mass_kg).collect();
     let payload =
         scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg, volume: p.shape.volume_m3() });
     let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy: cloth, payload, tractor_masses };
-    for (name, rope) in &kinds {
+    for (name, rope) in kinds.iter().map(|&kind| known[kind]) {
         let kind = RopeKind {
-            name: (*name).to_owned(),
+            name: name.to_owned(),
             diameter: rope.diameter.si(),
             mass_per_metre: rope.density.si() * section(rope),
         };
@@ -218,61 +273,13 @@ pub fn materials(
         });
         parts.kind_of_rope.push(known);
     }
-    Ok(Materials { members, mass, groups, bends, canopies, bodies, bill: bill(web, &parts) })
+    draft.bill = Some(bill(&cut.web, &parts));
+    Ok(())
 }
 
-/// Each pair of link class and rope that the web has, in order of class.
-fn groups(
-    document: &Document,
-    scenario: &Scenario,
-    web: &netcast_webs::Web,
-    kinds: &[(&str, &Rope)],
-    canopies_are_links: bool,
-) -> Result<Vec<Group>, Diagnostics> {
-    let mut groups: Vec<Group> = Vec::new();
-    for (rope, (name, kind)) in web.ropes.iter().zip(kinds) {
-        if !groups.iter().any(|known| known.class == rope.class && known.rope.as_deref() == Some(name)) {
-            let law = rope_law::law(document, &rope_law::path_of(scenario, name, kind), kind)?;
-            groups.push(Group {
-                class: rope.class.clone(),
-                rope: Some((*name).to_owned()),
-                diameter: Some(kind.diameter.si()),
-                strength: kind.strength.map(|strength| strength.si()),
-                knot_reduction: kind.knot_reduction.map(|share| share.si()),
-                law,
-                breaking: rope_law::breaking(kind, false),
-            });
-        }
-    }
-    if canopies_are_links {
-        let (class, law, breaking) = (Class::Canopy, Law::Linear, Breaking::NEVER);
-        groups.push(Group { class, rope: None, diameter: None, strength: None, knot_reduction: None, law, breaking });
-    }
-    groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
-    Ok(groups)
-}
-
-/// Where ropes resist bending: at every node inside a rope that has a bending stiffness. Knots turn freely.
-fn bends(document: &Document, cut: &CutWeb, kinds: &[(&str, &Rope)]) -> Result<Vec<Bending>, Diagnostics> {
-    let mut bends = Vec::new();
-    for (rope, (name, kind)) in kinds.iter().enumerate() {
-        let Some(stiffness) = kind.bending_stiffness else { continue };
-        let Piece { rest_length, damping, stiffness: axial, .. } =
-            Piece::new(kind, &Law::Linear, cut.ropes[rope].segment_length, 0.0);
-        for nodes in cut.nodes_of(rope).windows(3) {
-            let nodes = [nodes[0], nodes[1], nodes[2]];
-            let bend = Bending::new(nodes, [rest_length; 2], stiffness.si(), damping / axial);
-            bends.push(bend.map_err(|error| {
-                let table = if *name == "rope" { "rope".to_owned() } else { format!("ropes.{name}") };
-                document.diagnostic(&format!("{table}.bending_stiffness"), error.to_string())
-            })?);
-        }
-    }
-    Ok(bends)
-}
-
-/// Payloads, sensor and tractors where they sit.
-fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
+/// Puts payloads, sensor and tractors where they sit.
+pub fn place_bodies(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let (scenario, web) = (&draft.scenario, &draft.cut.web);
     let on_canopies = web.canopies.iter().filter_map(|canopy| {
         let (role, solid) = match canopy.carries_payload {
             true => (Role::Payload, scenario.payload_solid()),
@@ -283,7 +290,8 @@ fn bodies(scenario: &Scenario, web: &netcast_webs::Web) -> Vec<PlacedBody> {
     let tractors = web.tractors.iter().enumerate().filter_map(|(corner, &node)| {
         Some(PlacedBody { role: Role::Tractor, node, solid: scenario.tractor_solid(corner as u32 + 1)?, rigid: None })
     });
-    on_canopies.chain(tractors).collect()
+    draft.bodies = on_canopies.chain(tractors).collect();
+    Ok(())
 }
 
 /// Area of a rope's cross-section, m^2.
@@ -337,8 +345,15 @@ impl Piece {
     }
 }
 
-/// Spokes in three straight lines through the hub, then the sides round the rim: runs as long as they can be.
-fn add_canopies(cut: &CutWeb, made: &canopy_links::Members, class: usize, members: &mut Vec<Member>, mass: &mut [f64]) {
+/// Adds the members of all canopies: spokes in three straight lines through the hub, then the sides round the rim, runs as
+/// long as they can be.
+pub fn add_links(
+    cut: &CutWeb,
+    made: &canopy_links::Members,
+    class: usize,
+    members: &mut Vec<Member>,
+    mass: &mut [f64],
+) {
     let spoke = Piece::of_canopy(made, made.spoke_stiffness, made.spoke_mass);
     let side = Piece::of_canopy(made, made.side_stiffness, made.side_mass);
     let mut add = |piece: &Piece, ends: [usize; 2], part: Part| {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use netcast_webs::{Class, Closeness, PACKED_FILL, Size, closeness};
 
-use super::Model;
+use crate::Model;
 use netcast_scenario::rope::Rope;
 
 /// What the start is like beyond its audit.

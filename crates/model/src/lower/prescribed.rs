@@ -5,7 +5,7 @@ use netcast_webs::{CutWeb, Led, Prescribed, StiffPlate};
 
 use super::drives::Drives;
 use super::stowing::mouth;
-use netcast_scenario::diagnostic::Diagnostics;
+use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::dimension::Dimension;
 use netcast_scenario::document::Document;
 use netcast_scenario::interval::{PackingTime, Within};
@@ -20,10 +20,14 @@ pub fn prescribed(
     mass: &[f64],
     plates: Vec<StiffPlate>,
 ) -> Result<Prescribed, Diagnostics> {
-    paths_end(document, stow)?;
     let flat = vec![DVec3::ZERO; cut.nodes.len()];
     let named = Drives { table: DRIVES, drives: &stow.drive, files: &document.stow_paths };
-    let led = named.resolve(document, cut, &flat)?;
+    let mut found = late_points(document, stow);
+    let led = named.resolve(document, cut, &flat).unwrap_or_else(|Diagnostics(wrong)| {
+        found.extend(wrong);
+        Vec::new()
+    });
+    Diagnostics::fail_if_any(found)?;
     let is_web = cut.is_web();
     if let Some(drive) = led.iter().find(|drive| !is_web[drive.node]) {
         let message =
@@ -45,8 +49,8 @@ pub fn prescribed(
     })
 }
 
-/// That every path ends within the time that there is for a packing.
-fn paths_end(document: &Document, stow: &PrescribedStow) -> Result<(), Diagnostics> {
+/// Paths that do not end within the time that there is for a packing.
+fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
     let late = stow.drive.iter().filter_map(|(name, drive)| {
         let path = Path::parse(DRIVES).key(name);
         let listed = drive.path.iter().flatten().enumerate();
@@ -58,7 +62,7 @@ fn paths_end(document: &Document, stow: &PrescribedStow) -> Result<(), Diagnosti
         let most = PackingTime::INTERVAL.describe(Dimension::default());
         Some(document.diagnostic(&place.to_string(), format!("expected a time {most} s, found {time} s")))
     });
-    Diagnostics::fail_if_any(late.collect())
+    late.collect()
 }
 
 /// Where what is led stands.

@@ -5,16 +5,26 @@ use glam::DVec3;
 use netcast_dynamics::launcher::{Launcher, Means, Tube};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::SystemParts;
-use netcast_webs::{CutWeb, Sector};
+use netcast_webs::Sector;
 
+use super::draft::Draft;
 use super::launch::{Throw, Thrown};
 use super::selection::unknown_knot;
 use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
 use netcast_scenario::scenario::Scenario;
 
+/// Sets the tractors in motion, now or by launchers later, and turns all that spins.
+pub fn launch(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { scenario, throws, parts, state, frame, falls, .. } = draft;
+    throw(throws, parts, state);
+    let turning = scenario.launch.as_ref().map_or(0.0, |launch| launch.spin.si());
+    spin(turning * (*frame * DVec3::Z), parts, state);
+    *falls = !parts.held.contains(&true);
+    Ok(())
+}
+
 /// Gives each tractor its velocity, or the launcher that will. One that is held stays.
-pub fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut State) {
+fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut State) {
     for throw in throws.iter_mut().flatten().filter(|throw| !parts.held[throw.node]) {
         let (node, delay, direction) = (throw.node, throw.delay, throw.direction);
         let by = match &throw.by {
@@ -35,7 +45,7 @@ pub fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut 
 }
 
 /// Lets everything turn about the launch axis through the origin with this angular velocity, rad/s, world frame.
-pub fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
+fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
     if angular_velocity == DVec3::ZERO {
         return;
     }
@@ -47,15 +57,9 @@ pub fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
     }
 }
 
-/// Holds what lies under covers, and a sector that is late, until the last of them lets go. `tractors` are their nodes.
-pub fn hold_back(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    tractors: &[usize],
-    notes: &mut Vec<String>,
-    (parts, state): (&mut SystemParts, &mut State),
-) -> Result<(), Diagnostics> {
+/// Holds what lies under covers, and a sector that is late, until the last of them lets go.
+pub fn hold_back(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, tractors, notes, parts, state, .. } = draft;
     let mut opens = vec![0.0f64; parts.mass.len()];
     let mut is_web = cut.is_web();
     is_web.resize(parts.mass.len(), true);

@@ -11,15 +11,6 @@ use netcast_scenario::document::Document;
 use netcast_scenario::path::Path;
 use netcast_scenario::rope::Rope;
 use netcast_scenario::rope_law::{BilinearLaw, RopeLaw, ViscoelasticLaw};
-use netcast_scenario::scenario::Scenario;
-
-/// The table of a rope that one of the web's links is made of.
-pub fn path_of(scenario: &Scenario, name: &str, rope: &Rope) -> Path {
-    match std::ptr::eq(rope, &scenario.rope) {
-        true => Path::default().key("rope"),
-        false => Path::default().key("ropes").key(name),
-    }
-}
 
 /// The law of the rope whose table is at `path`.
 ///

@@ -2,14 +2,13 @@
 
 use netcast_webs::CutWeb;
 
-use super::binding::Bound;
+use super::draft::Draft;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::drive::Drive;
 use netcast_scenario::load::Load;
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path;
-use netcast_scenario::scenario::Scenario;
 use netcast_scenario::tie::BreakTie;
 
 /// What a scenario names.
@@ -74,13 +73,15 @@ impl Selection<'_> {
     }
 }
 
-/// The nodes that stay put: `[hold]` and what a graph's file says.
-pub fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bound]) -> Result<Vec<bool>, Diagnostics> {
-    let mut held = vec![false; cut.nodes.len()];
+/// Finds the nodes that stay put: `[hold]` and what a graph's file says.
+pub fn hold(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, canopies, parts, .. } = draft;
+    let (bound, held) = (&canopies.bound, &mut parts.held);
+    *held = vec![false; cut.nodes.len()];
     for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         held[node] = row.fixed;
     }
-    let Some(hold) = &scenario.hold else { return Ok(held) };
+    let Some(hold) = &scenario.hold else { return Ok(()) };
     let mut found = Vec::new();
     if hold.corners {
         if cut.web.corners.is_empty() {
@@ -101,8 +102,7 @@ pub fn held(document: &Document, cut: &CutWeb, scenario: &Scenario, bound: &[Bou
             None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
         }
     }
-    Diagnostics::fail_if_any(found)?;
-    Ok(held)
+    Diagnostics::fail_if_any(found)
 }
 
 /// That there is no knot `id`, with the nearest that there is.

@@ -4,13 +4,16 @@ use netcast_dynamics::system::{Segment, System};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff};
 use netcast_webs::{Class, CutWeb};
 
-use super::Model;
+use super::draft::Draft;
 use super::drawing::two_digits;
 use super::material::{Group, Member};
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
+use netcast_scenario::quantity::Number;
 use netcast_scenario::scenario::Scenario;
 use netcast_scenario::solve::Solve;
+
+use crate::Model;
 
 /// Beyond, a step resolves the waves in a segment too poorly for tensions to be read, however the energy closes.
 const LARGEST_FRACTION: f64 = 0.6;
@@ -69,7 +72,7 @@ impl Model {
 /// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
 /// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
 /// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
-pub fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
+fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
     let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
     // a few threads that are gone soon lose nothing, and gain little
     let lasting = system.segments().iter().filter(|s| !groups[s.class].class.is_made_to_break());
@@ -90,8 +93,17 @@ fn damping_ratio(damping: f64, stiffness: f64, dt: f64) -> f64 {
     0.5 * at_limit / (1.0 + 4.0 * at_limit).sqrt()
 }
 
+/// Chooses how large the step is, where the scenario leaves that out, and checks that the run will end.
+pub fn choose(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, groups, members, system, .. } = draft;
+    let Some((system, limit)) = system else { return Ok(()) };
+    let chosen = step_fraction(system, groups, limit, &scenario.solve);
+    scenario.solve.step_fraction.get_or_insert(Number::constant(chosen));
+    affordable(document, scenario, limit, cut, members)
+}
+
 /// That the run will end.
-pub fn affordable(
+fn affordable(
     document: &Document,
     scenario: &Scenario,
     limit: &StepLimit,

@@ -9,8 +9,9 @@ use netcast_webs::{
     StiffPlate, StowedSegment, audit as look_over,
 };
 
+use super::Stage;
 use super::canopies::{Canopies, CutSheet};
-use super::material::Materials;
+use super::draft::Draft;
 use super::prescribed::prescribed;
 use netcast_scenario::canopy::Canopy;
 use netcast_scenario::csv_files::StowRow;
@@ -19,47 +20,67 @@ use netcast_scenario::document::Document;
 use netcast_scenario::interval::Positive;
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::quantity::Length;
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::stow::{Along, Container as Room, PrescribedStow, Stow};
+use netcast_scenario::stow::{Along, Container as Room, PrescribedStow, Stow, Stowage};
 
 /// Where everything is at launch, in the launch frame.
-#[derive(Debug, Clone)]
-pub struct Stowed {
+struct Stowed {
     /// Positions of all nodes, m.
-    pub positions: Vec<DVec3>,
-    /// How each canopy is turned against the flat web, where it keeps its shape.
-    pub turns: Vec<DMat3>,
+    positions: Vec<DVec3>,
+    /// The canopies that keep their shape, and how each is turned against the flat web.
+    turns: Vec<(usize, DMat3)>,
     /// How it came to rest, in words, where it had to.
-    pub settled: Option<String>,
+    settled: Option<String>,
 }
 
-/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes. `mass` is that of its nodes,
-/// kg; without it, nothing is led.
-pub fn stow(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    canopies: &Canopies,
-    mass: &[f64],
-) -> Result<Stowed, Diagnostics> {
-    let mut turns = vec![DMat3::IDENTITY; cut.web.canopies.len()];
-    let Some(stowage) = &scenario.stow else {
-        return Ok(Stowed { positions: cut.nodes.clone(), turns, settled: None });
+impl Stowed {
+    fn new(positions: Vec<DVec3>, plates: &[StiffPlate], turns: Vec<DMat3>) -> Self {
+        Self { positions, turns: plates.iter().map(|plate| plate.canopy).zip(turns).collect(), settled: None }
+    }
+}
+
+/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes.
+///
+/// # Errors
+/// A packing that cannot be. None is told where the web is to be led into a container and its masses are not known.
+pub fn stow(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let no_canopies = Canopies::default();
+    let knows_masses = draft.has(Stage::Masses);
+    let canopies = if knows_masses { &draft.canopies } else { &no_canopies };
+    let stowed = match &draft.scenario.stow {
+        None => Stowed::new(draft.cut.nodes.clone(), &[], Vec::new()),
+        Some(Stowage { pattern: Stow::Prescribed(_), .. }) if !knows_masses => return Err(Diagnostics(Vec::new())),
+        Some(Stowage { pattern, imperfection }) => {
+            let imperfection = imperfection.as_ref().map(|imperfect| Imperfection {
+                scatter: imperfect.scatter.si(),
+                twist: imperfect.twist.si(),
+                slack: imperfect.slack.si(),
+                seed: imperfect.seed.into(),
+            });
+            match pattern {
+                Stow::Prescribed(led) => settle(draft, led, imperfection.as_ref())?,
+                pattern => pack(draft.document, &draft.cut, canopies, pattern, imperfection.as_ref())?,
+            }
+        }
     };
-    let imperfection = stowage.imperfection.as_ref().map(|imperfect| Imperfection {
-        scatter: imperfect.scatter.si(),
-        twist: imperfect.twist.si(),
-        slack: imperfect.slack.si(),
-        seed: imperfect.seed.into(),
-    });
-    let pattern = match &stowage.pattern {
+    draft.state.position = stowed.positions.iter().map(|&place| draft.frame * place).collect();
+    draft.stowed = stowed.positions;
+    for (canopy, turn) in stowed.turns {
+        draft.turns[canopy] = turn;
+    }
+    draft.notes.extend(stowed.settled);
+    Ok(())
+}
+
+/// The pattern of a packing that is drawn, not led.
+fn pattern(document: &Document, cut: &CutWeb, stow: &Stow) -> Result<Pattern, Diagnostics> {
+    Ok(match stow {
         Stow::Scale(scale) => Pattern::Scale(Scale { factor: scale.factor.si() }),
         Stow::Bag(bag) => Pattern::Bag(Bag {
             radius: bag.radius.si(),
             depth: bag.depth.map(|d| d.si()),
             mouth: mouth(bag.tractor_radius, bag.tractor_gap),
         }),
-        Stow::Prescribed(led) => return settle(document, cut, canopies, mass, (led, imperfection.as_ref()), turns),
+        Stow::Prescribed(_) => unreachable!("what is led has no pattern"),
         Stow::File(_) => {
             let rows = document.stowed.as_ref().expect("a document with a stow file has read it");
             Pattern::Given(Given { positions: given(document, cut, rows)? })
@@ -83,8 +104,19 @@ pub fn stow(
             let mouth = mouth(layers.tractor_radius, layers.tractor_gap);
             folded(Folding::Layers, &layers.container, layers.spacing, mouth)
         }
-    };
-    let packed = pattern.pack_imperfectly(cut, imperfection.as_ref()).map_err(|error| {
+    })
+}
+
+/// The web packed by a pattern.
+fn pack(
+    document: &Document,
+    cut: &CutWeb,
+    canopies: &Canopies,
+    stow: &Stow,
+    imperfection: Option<&Imperfection>,
+) -> Result<Stowed, Diagnostics> {
+    let pattern = pattern(document, cut, stow)?;
+    let mut positions = pattern.pack_imperfectly(cut, imperfection).map_err(|error| {
         let size = match &pattern {
             Pattern::Scale(_) => "factor",
             Pattern::Given(_) => "path",
@@ -92,29 +124,37 @@ pub fn stow(
             Pattern::Folded(_) => "container",
         };
         let key = key_of(&error).unwrap_or(size);
-        document.diagnostic(&format!("{}.{key}", stowage.pattern.table()), error.to_string())
+        document.diagnostic(&format!("{}.{key}", stow.table()), error.to_string())
     })?;
-    let mut positions = packed;
-    let given = match &pattern {
-        Pattern::Given(given) => given,
+    match &pattern {
+        Pattern::Given(given) => fit(document, cut, canopies, given, positions),
         Pattern::Folded(_) => {
             let plates = canopies.laid_in_folds();
-            let turned = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
-            plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
-            return Ok(Stowed { positions, turns, settled: None });
+            let turns = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
+            Ok(Stowed::new(positions, &plates, turns))
         }
         Pattern::Scale(_) | Pattern::Bag(_) => {
             StiffPlate::lay(&canopies.plates, cut, &mut positions);
-            return Ok(Stowed { positions, turns, settled: None });
+            Ok(Stowed::new(positions, &[], Vec::new()))
         }
-    };
+    }
+}
+
+/// Canopies where a file has their middles and corners.
+fn fit(
+    document: &Document,
+    cut: &CutWeb,
+    canopies: &Canopies,
+    given: &Given,
+    mut positions: Vec<DVec3>,
+) -> Result<Stowed, Diagnostics> {
     for sheet in &canopies.sheets {
         spread(sheet, given, &cut.nodes, &mut positions);
     }
-    let mut found = Vec::new();
+    let (mut turns, mut found) = (Vec::new(), Vec::new());
     for plate in &canopies.plates {
         match plate.fit(cut, &mut positions) {
-            Ok(turn) => turns[plate.canopy] = turn,
+            Ok(turn) => turns.push(turn),
             Err(off) => {
                 let number = cut.web.canopies[plate.canopy].number;
                 let message = format!(
@@ -126,32 +166,21 @@ pub fn stow(
         }
     }
     Diagnostics::fail_if_any(found)?;
-    Ok(Stowed { positions, turns, settled: None })
+    Ok(Stowed::new(positions, &canopies.plates, turns))
 }
 
 /// The web led into its container.
-fn settle(
-    document: &Document,
-    cut: &CutWeb,
-    canopies: &Canopies,
-    mass: &[f64],
-    (led, imperfection): (&PrescribedStow, Option<&Imperfection>),
-    mut turns: Vec<DMat3>,
-) -> Result<Stowed, Diagnostics> {
-    // what is wrong with the masses is told elsewhere
-    if mass.is_empty() {
-        return Err(Diagnostics(Vec::new()));
-    }
-    let packing = prescribed(document, cut, led, mass, canopies.laid_in_folds())?;
-    let (positions, turned, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
+fn settle(draft: &Draft, led: &PrescribedStow, imperfection: Option<&Imperfection>) -> Result<Stowed, Diagnostics> {
+    let (document, cut) = (draft.document, &draft.cut);
+    let packing = prescribed(document, cut, led, &draft.parts.mass, draft.canopies.laid_in_folds())?;
+    let (positions, turns, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
         let key = key_of(&error).unwrap_or(if error == PackingError::NothingLed { "drive" } else { "radius" });
         document.diagnostic(&format!("stow.prescribed.{key}"), error.to_string())
     })?;
-    packing.plates.iter().zip(turned).for_each(|(plate, turn)| turns[plate.canopy] = turn);
     let how = if share <= packing.rest { "came to rest" } else { "was taken as it was" };
     let settled =
         format!("the web {how} in its container after {time:.2} s, at {share:.1e} of its largest kinetic energy");
-    Ok(Stowed { positions, turns, settled: Some(settled) })
+    Ok(Stowed { settled: Some(settled), ..Stowed::new(positions, &packing.plates, turns) })
 }
 
 /// The key of a packing's table that an error is about; none for the size of the pack.
@@ -231,68 +260,62 @@ const ROUNDING: f64 = 1e-9;
 
 /// Looks the start over. A web that is stowed may not be stretched, nor its struts compressed; one that starts as drawn
 /// may.
-pub fn audit(
-    document: &Document,
-    cut: &CutWeb,
-    materials: &Materials,
-    positions: &[DVec3],
-) -> Result<Audit, Diagnostics> {
-    let Materials { members, groups, canopies, .. } = materials;
+pub fn audit(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, members, groups, canopies, stowed, .. } = draft;
     let segments = members.iter().map(|m| {
         let [a, b] = m.segment.ends;
         StowedSegment { a, b, rest_length: m.segment.rest_length, stiffness: m.segment.stiffness }
     });
-    let audit = look_over(positions, segments);
-    let Some(stow) = &document.scenario.stow else { return Ok(audit) };
+    let audit = look_over(stowed, segments);
+    let Some(stow) = &document.scenario.stow else {
+        draft.audit = Some(audit);
+        return Ok(());
+    };
     let path = stow.pattern.table();
-    stretched_cloth(document, path, cut, canopies, positions)?;
+    let mut found = Vec::new();
+    found.extend(stretched_cloth(document, path, cut, canopies, stowed));
     let shortened = members.iter().filter(|m| groups[m.segment.class].law == Law::Strut).find_map(|member| {
-        let share = -member.segment.stretch(positions) / member.segment.rest_length;
+        let share = -member.segment.stretch(stowed) / member.segment.rest_length;
         (share > Audit::TOLERANCE).then(|| (member.label(cut), 100.0 * share))
     });
     if let Some((label, percent)) = shortened {
         let message = format!("the stowed web compresses struts: {label} by {percent:.3} %");
         let help = "leave the packing out, or give positions at which struts keep their length, by [stow.file]";
-        return Err(document.diagnostic(path, message).with_help(help).into());
+        found.push(document.diagnostic(path, message).with_help(help));
     }
-    match audit.longest {
-        Some(longest) if !audit.is_slack() => {
-            let message = format!(
-                "the stowed web is stretched: {} by {:.3} %, and {} segments in all (a packing may not stretch a rope)",
-                members[longest.segment].label(cut),
-                100.0 * longest.stretch,
-                audit.stretched
-            );
-            let diagnostic: Diagnostic = document.diagnostic(path, message);
-            Err(diagnostic.with_help(
-                "pack it closer, or give the rope no pretension; a slack in [stow.imperfection] shrinks any packing",
-            ).into())
-        }
-        _ => Ok(audit),
+    if let Some(longest) = audit.longest.filter(|_| !audit.is_slack()) {
+        let message = format!(
+            "the stowed web is stretched: {} by {:.3} %, and {} segments in all (a packing may not stretch a rope)",
+            members[longest.segment].label(cut),
+            100.0 * longest.stretch,
+            audit.stretched
+        );
+        let help = "pack it closer, or give the rope no pretension; a slack in [stow.imperfection] shrinks any packing";
+        found.push(document.diagnostic(path, message).with_help(help));
     }
+    draft.audit = Some(audit);
+    Diagnostics::fail_if_any(found)
 }
 
-/// That a packing, at `path`, stretches no sheet.
+/// That a packing, at `path`, stretches a sheet.
 fn stretched_cloth(
     document: &Document,
     path: &str,
     cut: &CutWeb,
     canopies: &Canopies,
     positions: &[DVec3],
-) -> Result<(), Diagnostics> {
-    let Some(Canopy::Membrane(sheet)) = &document.scenario.canopy else { return Ok(()) };
+) -> Option<Diagnostic> {
+    let Some(Canopy::Membrane(sheet)) = &document.scenario.canopy else { return None };
     let stress = |triangle: &Membrane| {
         (triangle.stress(triangle.nodes().map(|node| positions[node])).largest(), triangle.nodes()[0])
     };
     let larger = |one: (f64, usize), other: (f64, usize)| if other.0 > one.0 { other } else { one };
-    match canopies.membranes.iter().map(stress).reduce(larger) {
-        Some((largest, node)) if largest > ROUNDING * sheet.elastic_modulus.si() => {
-            let message = format!(
-                "the stowed web is stretched: the cloth at {} bears {largest:.3e} Pa (a packing may not stretch a sheet)",
-                cut.node_label(node)
-            );
-            Err(document.diagnostic(path, message).with_help("pack it closer").into())
-        }
-        _ => Ok(()),
-    }
+    let (largest, node) = canopies.membranes.iter().map(stress).reduce(larger)?;
+    (largest > ROUNDING * sheet.elastic_modulus.si()).then(|| {
+        let message = format!(
+            "the stowed web is stretched: the cloth at {} bears {largest:.3e} Pa (a packing may not stretch a sheet)",
+            cut.node_label(node)
+        );
+        document.diagnostic(path, message).with_help("pack it closer")
+    })
 }

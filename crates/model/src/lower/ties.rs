@@ -13,6 +13,7 @@ use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, SystemParts};
 use netcast_webs::{Class, CutWeb};
 
+use super::draft::Draft;
 use super::loads::unknown_class;
 use super::material::{Group, Member, Part};
 use super::selection::{Selection, unknown_knot};
@@ -31,13 +32,8 @@ const SHORTEST: f64 = 0.01;
 const ROUNDING: f64 = 1e-9;
 
 /// Adds the ties and stitches of a scenario to a web that lies as it is stowed.
-pub fn tie(
-    document: &Document,
-    cut: &CutWeb,
-    scenario: &Scenario,
-    (members, groups): (&mut Vec<Member>, &mut Vec<Group>),
-    (parts, state): (&mut SystemParts, &mut State),
-) -> Result<(), Diagnostics> {
+pub fn tie(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, scenario, members, groups, parts, state, .. } = draft;
     let mut found = Vec::new();
     let mut rests = parts.held.clone();
     parts.drives.iter().for_each(|drive| rests[drive.node] = false);
@@ -66,17 +62,8 @@ pub fn tie(
             }
         }
         if !threads.is_empty() {
-            let (law, breaking) = (Law::Linear, Breaking { load: weakest, ..Breaking::NEVER });
-            parts.laws.push(law.clone());
-            groups.push(Group {
-                class,
-                rope: None,
-                diameter: None,
-                strength: None,
-                knot_reduction: None,
-                law,
-                breaking,
-            });
+            parts.laws.push(Law::Linear);
+            groups.push(Group::of_threads(class, Breaking { load: weakest, ..Breaking::NEVER }));
         }
     }
     Diagnostics::fail_if_any(found)
