@@ -298,14 +298,14 @@ fn ten_minutes_of_turbulence_have_its_variance_and_its_spectrum() {
 fn a_measured_wind_is_taken_as_it_is() {
     let csv = "t,vx,vy,vz\n-1,2,0,0\n0,4,1,0\n0.5,0,1,0.5\n2,3,1,0\n";
     let text = format!("{NET}[environment.air]\n[environment.wind.series]\nfile = \"wind.csv\"");
-    let mut net = model_with(&text, csv).unwrap();
+    let net = model_with(&text, csv).unwrap();
     let wind = &net.system.environment().air.as_ref().unwrap().wind;
     for (time, expected) in
         [(0.0, [4.0, 1.0, 0.0]), (0.25, [2.0, 1.0, 0.25]), (1.25, [1.5, 1.0, 0.25]), (9.0, [3.0, 1.0, 0.0])]
     {
         assert!(wind.at(7.0, time).distance(DVec3::from_array(expected)) < 1e-9, "{time}: {}", wind.at(7.0, time));
     }
-    let files: Vec<String> = net.scenario.files_mut().iter().map(|file| file.display().to_string()).collect();
+    let files: Vec<String> = net.scenario.files().iter().map(|file| file.display().to_string()).collect();
     assert_eq!(files, ["wind.csv"]);
 }
 

@@ -20,17 +20,16 @@ pub(crate) struct Inputs(BTreeMap<String, Vec<u8>>);
 impl Inputs {
     /// Of a document, with all defaults written out, and its files each under a name of its own.
     pub fn new(document: &Document, model: &Model) -> Result<Self, ResultError> {
-        let mut scenario = model.scenario.clone();
         let mut files = BTreeMap::from([(SCENARIO.to_owned(), Vec::new())]);
-        for file in scenario.files_mut() {
-            let from = document.written.folder.join(&*file);
+        let scenario = model.scenario.with_files(|file| {
+            let from = document.written.folder.join(file);
             let mut name = file.file_name().map_or_else(|| "file".into(), |n| n.to_string_lossy().into_owned());
             while files.contains_key(&name) {
                 name.insert(0, '_');
             }
             files.insert(name.clone(), fs::read(&from).map_err(ResultError::read(&from))?);
-            *file = name.into();
-        }
+            Ok::<_, ResultError>(name)
+        })?;
         let resolved = document.library.comments() + &resolved_toml(&scenario);
         files.insert(SCENARIO.to_owned(), resolved.into_bytes());
         Ok(Self(files))

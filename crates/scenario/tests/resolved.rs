@@ -42,7 +42,7 @@ fn every_template_reads_back_the_same() {
         let again = Document::read(&file, &[]).unwrap_or_else(|wrong| panic!("{}: {wrong}\n{resolved}", template.kind));
         assert_eq!(again.scenario, document.scenario, "{}", template.kind);
         assert_eq!(resolved_toml(&again.scenario), resolved);
-        assert_eq!(document.graph.is_some(), template.kind == "graph");
+        assert_eq!(document.files.graph.is_some(), template.kind == "graph");
     }
 }
 

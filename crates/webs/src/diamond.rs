@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 use crate::rope_list::RopeList;
 use crate::{Class, Kind, Knot, Site, Web, WebError};
 
@@ -55,12 +56,12 @@ impl Diamond {
 /// [`WebError::Length`], [`WebError::HangingRatio`] and [`WebError::Count`].
 pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     let &Diamond { mesh, hanging_ratio, meshes_wide: m, meshes_high: n } = net;
-    positive("the mesh", mesh)?;
+    positive(WebField::Mesh, mesh)?;
     if !(hanging_ratio > 0.0 && hanging_ratio < 1.0) {
         return Err(WebError::HangingRatio { value: hanging_ratio });
     }
-    in_range("the number of meshes across the width", m, 1, MOST_MESHES)?;
-    in_range("the number of meshes across the height", n, 1, MOST_MESHES)?;
+    in_range(WebField::MeshesWide, m, 1, MOST_MESHES)?;
+    in_range(WebField::MeshesHigh, n, 1, MOST_MESHES)?;
 
     // knots in steps of half a mesh: i to the right, j upwards, both even or both odd
     let knot = |i: usize, j: usize| j / 2 * (2 * m + 1) + j % 2 * (m + 1) + i / 2;

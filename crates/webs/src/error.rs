@@ -1,5 +1,7 @@
 //! What can be wrong with a web as it was asked for.
 
+use crate::field::WebField;
+
 /// A fault in a web's description. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WebError {
@@ -7,7 +9,7 @@ pub enum WebError {
     #[error("{what} must be a positive length, not {value} m")]
     Length {
         /// What has this length.
-        what: &'static str,
+        what: WebField,
         /// Its value, m.
         value: f64,
     },
@@ -23,7 +25,7 @@ pub enum WebError {
     #[error("{what} must be from {least} to {most}, not {value}")]
     Count {
         /// What is counted.
-        what: &'static str,
+        what: WebField,
         /// The number given.
         value: usize,
         /// The smallest number allowed.
@@ -109,6 +111,8 @@ pub enum WebError {
         rounded(*.limit)
     )]
     PlateTooLarge {
+        /// Whose side it is.
+        plate: WebField,
         /// "canopies" or "rope hexagons".
         what: &'static str,
         /// Their side, m.
@@ -234,6 +238,40 @@ pub enum WebError {
     TractorsTwice,
 }
 
+impl WebError {
+    /// The number that it is about; none for what is wrong with a list of nodes and ropes.
+    pub fn field(&self) -> Option<WebField> {
+        Some(match self {
+            WebError::Length { what, .. } | WebError::Count { what, .. } => *what,
+            WebError::TractionLength { .. } => WebField::TractionLength,
+            WebError::MeshDoesNotDivide { .. } | WebError::MeshTooLarge { .. } | WebError::MeshBeyondApothem { .. } => {
+                WebField::Mesh
+            }
+            WebError::HangingRatio { .. } => WebField::HangingRatio,
+            WebError::HubTooLarge { .. } => WebField::HubDiameter,
+            WebError::UnevenCorners { .. } => WebField::Corners,
+            WebError::TiesMissCorners { .. } => WebField::GatheringEvery,
+            WebError::Excess { .. } => WebField::GatheringExcess,
+            WebError::PlateTooLarge { plate, .. } => *plate,
+            WebError::Empty { .. }
+            | WebError::DuplicateId { .. }
+            | WebError::NotFinite { .. }
+            | WebError::UnknownNode { .. }
+            | WebError::UnknownReference { .. }
+            | WebError::Repeated { .. }
+            | WebError::OutlineTooShort { .. }
+            | WebError::SelfLoop { .. }
+            | WebError::ZeroLength { .. }
+            | WebError::RestLength { .. }
+            | WebError::NoSegments { .. }
+            | WebError::Disconnected { .. }
+            | WebError::NoCorners
+            | WebError::CornerInTheMiddle { .. }
+            | WebError::TractorsTwice => return None,
+        })
+    }
+}
+
 /// Rounded to six significant figures, so that a suggestion reads as a person would type it.
 fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
@@ -245,11 +283,11 @@ fn listed(numbers: &[usize]) -> String {
 }
 
 /// An error unless `value` is a positive, finite length.
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), WebError> {
+pub(crate) fn positive(what: WebField, value: f64) -> Result<(), WebError> {
     if value > 0.0 && value.is_finite() { Ok(()) } else { Err(WebError::Length { what, value }) }
 }
 
 /// An error unless `value` lies in the range given.
-pub(crate) fn in_range(what: &'static str, value: usize, least: usize, most: usize) -> Result<(), WebError> {
+pub(crate) fn in_range(what: WebField, value: usize, least: usize, most: usize) -> Result<(), WebError> {
     if (least..=most).contains(&value) { Ok(()) } else { Err(WebError::Count { what, value, least, most }) }
 }

@@ -32,6 +32,7 @@ mod class;
 mod cut;
 mod diamond;
 mod error;
+mod field;
 mod gathering;
 mod graph;
 mod lattice;
@@ -59,6 +60,7 @@ pub use class::Class;
 pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut};
 pub use diamond::{Diamond, diamond};
 pub use error::WebError;
+pub use field::{PackingField, WebField};
 pub use graph::{Graph, GraphNode, GraphRope, graph};
 pub use packing::{
     Approach, Audit, Bag, Closeness, Container, Folded, Folding, Given, Imperfection, Led, LongestStretch, Mouth,

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::positive;
+use crate::field::WebField;
 use crate::lattice::{Lattice, Link, Place, lattice};
 use crate::{Class, Kind, Knot, Rope, Site, Web, WebError};
 
@@ -19,8 +20,8 @@ pub(crate) struct PlateKind {
     pub(crate) name: &'static str,
     /// What several are called in errors.
     pub(crate) names: &'static str,
-    /// What its side is called in errors.
-    pub(crate) side_name: &'static str,
+    /// Its side, for errors.
+    pub(crate) side: WebField,
     /// Whether there is a knot in its centre, too.
     pub(crate) has_hub: bool,
 }
@@ -41,12 +42,12 @@ impl Plate {
 
 /// The web of links between plates, and the plates in the order of their numbers.
 pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result<(Web, Vec<Plate>), WebError> {
-    positive("the web's side", side)?;
-    positive(kind.side_name, plate_side)?;
+    positive(WebField::Side, side)?;
+    positive(kind.side, plate_side)?;
     let lattice = lattice(side);
     let limit = lattice.spacing / 3.0_f64.sqrt();
     if plate_side >= limit {
-        return Err(WebError::PlateTooLarge { what: kind.names, side: plate_side, limit });
+        return Err(WebError::PlateTooLarge { plate: kind.side, what: kind.names, side: plate_side, limit });
     }
 
     let mut web = Web::empty(kind.web);

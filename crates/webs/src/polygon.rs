@@ -8,6 +8,7 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 use crate::sectors::Sectors;
 use crate::{Kind, Web, WebError};
 
@@ -62,15 +63,15 @@ fn apothem(sides: usize, side: f64) -> f64 {
 
 /// Parallels from the middle to a side, the side itself included.
 fn parallels(sides: usize, side: f64, mesh: f64) -> Result<usize, WebError> {
-    in_range("the number of sides", sides, 3, MOST_SIDES)?;
-    positive("the web's side", side)?;
-    positive("the mesh", mesh)?;
+    in_range(WebField::Sides, sides, 3, MOST_SIDES)?;
+    positive(WebField::Side, side)?;
+    positive(WebField::Mesh, mesh)?;
     let apothem = apothem(sides, side);
     if mesh > apothem {
         return Err(WebError::MeshBeyondApothem { mesh, apothem });
     }
     let parallels = (apothem / mesh).round() as usize;
-    in_range("the number of meshes from the middle to a side", parallels, 1, MOST_PARALLELS)?;
+    in_range(WebField::MeshesToSide, parallels, 1, MOST_PARALLELS)?;
     Ok(parallels)
 }
 

@@ -4,6 +4,7 @@
 //! Where many radials meet, no knot can be tied: a hub, an open ring of rope, can take the middle's place.
 
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 use crate::sectors::Sectors;
 use crate::{Kind, Web, WebError};
 
@@ -35,16 +36,16 @@ pub struct Radial {
 /// [`WebError::Length`], [`WebError::Count`], [`WebError::HubTooLarge`] and [`WebError::UnevenCorners`].
 pub fn radial(sizes: &Radial) -> Result<Web, WebError> {
     let &Radial { diameter, radials, rings, hub_diameter, corners } = sizes;
-    positive("the web's diameter", diameter)?;
-    in_range("the number of radials", radials, 3, MOST_RADIALS)?;
-    in_range("the number of rings", rings, 1, MOST_RINGS)?;
-    in_range("the number of corners", corners, 3, radials)?;
+    positive(WebField::Diameter, diameter)?;
+    in_range(WebField::Radials, radials, 3, MOST_RADIALS)?;
+    in_range(WebField::Rings, rings, 1, MOST_RINGS)?;
+    in_range(WebField::Corners, corners, 3, radials)?;
     if !radials.is_multiple_of(corners) {
         let evenly = (3..=radials).filter(|count| radials.is_multiple_of(*count)).collect();
         return Err(WebError::UnevenCorners { corners, radials, evenly });
     }
     if let Some(hub) = hub_diameter {
-        positive("the hub's diameter", hub)?;
+        positive(WebField::HubDiameter, hub)?;
         if hub >= diameter {
             return Err(WebError::HubTooLarge { hub, diameter });
         }

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use crate::WebError;
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 
 /// Finest mesh of a sheet, triangles along a side.
 pub const MOST_FINENESS: usize = 100;
@@ -33,8 +34,8 @@ pub struct Sheet {
 /// # Errors
 /// A side that is not a positive length; a fineness of zero or above [`MOST_FINENESS`].
 pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
-    positive("a sheet's side", side)?;
-    in_range("a sheet's fineness", fineness, 1, MOST_FINENESS)?;
+    positive(WebField::SheetSide, side)?;
+    in_range(WebField::Fineness, fineness, 1, MOST_FINENESS)?;
 
     let spacing = side / fineness as f64;
     let mut nodes = vec![DVec2::ZERO];

@@ -1,11 +1,12 @@
 //! The space web: double ropes between hexagonal canopies on a triangular lattice; eighteen of the canopies carry a
 //! payload.
 
+use crate::field::WebField;
 use crate::plates::{PlateKind, plated_web};
 use crate::{Canopy, Kind, Web, WebError};
 
 const CANOPIES: PlateKind =
-    PlateKind { web: Kind::Space, name: "canopy", names: "canopies", side_name: "the canopies' side", has_hub: true };
+    PlateKind { web: Kind::Space, name: "canopy", names: "canopies", side: WebField::CanopySide, has_hub: true };
 
 /// The space web: a hexagon of this side with canopies of that side, both m.
 ///

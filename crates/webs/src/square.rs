@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 use crate::rope_list::RopeList;
 use crate::{Class, Kind, Knot, Site, Web, WebError};
 
@@ -73,14 +74,14 @@ pub fn square(side: f64, mesh: f64) -> Result<Web, WebError> {
 
 /// Meshes along a side.
 fn cells(side: f64, mesh: f64) -> Result<usize, WebError> {
-    positive("the web's side", side)?;
-    positive("the mesh", mesh)?;
+    positive(WebField::Side, side)?;
+    positive(WebField::Mesh, mesh)?;
     let ratio = side / mesh;
     if ratio < 1.0 - WHOLE {
         return Err(WebError::MeshTooLarge { side, mesh });
     }
     // a ratio beyond any usize saturates and is refused here
-    in_range("the number of meshes along a side", ratio.round() as usize, 1, MOST_CELLS)?;
+    in_range(WebField::MeshesAlongSide, ratio.round() as usize, 1, MOST_CELLS)?;
     if (ratio - ratio.round()).abs() > WHOLE * ratio {
         return Err(WebError::MeshDoesNotDivide {
             side,

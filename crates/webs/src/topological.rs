@@ -1,5 +1,6 @@
 //! The topological rope web: the space web's ropes, with a closed hexagon of rope in the place of each canopy.
 
+use crate::field::WebField;
 use crate::plates::{PlateKind, plated_web};
 use crate::{Class, Kind, Rope, Web, WebError};
 
@@ -7,7 +8,7 @@ const HEXAGONS: PlateKind = PlateKind {
     web: Kind::Topological,
     name: "hexagon",
     names: "rope hexagons",
-    side_name: "the rope hexagons' side",
+    side: WebField::HexagonSide,
     has_hub: false,
 };
 

@@ -1,6 +1,7 @@
 //! Traction ropes: from the corners of a web outwards to its tractors.
 
 use crate::error::in_range;
+use crate::field::WebField;
 use crate::{Class, Knot, Rope, Site, Web, WebError};
 
 const MOST_PARALLEL: usize = 100;
@@ -19,7 +20,7 @@ impl Web {
         if !(length >= 0.0 && length.is_finite()) {
             return Err(WebError::TractionLength { value: length });
         }
-        in_range("the number of parallel traction ropes", count, 1, MOST_PARALLEL)?;
+        in_range(WebField::TractionCount, count, 1, MOST_PARALLEL)?;
         if self.corners.is_empty() {
             return Err(WebError::NoCorners);
         }

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::error::{in_range, positive};
+use crate::field::WebField;
 use crate::lattice::compass;
 use crate::rope_list::RopeList;
 use crate::{Class, Kind, Knot, Site, Web, WebError};
@@ -116,8 +117,8 @@ impl Grid {
 /// # Errors
 /// [`WebError::Length`] and [`WebError::Count`].
 pub fn traditional(side: f64, cells_per_side: usize) -> Result<Web, WebError> {
-    positive("the web's side", side)?;
-    in_range("the number of cells along a side", cells_per_side, 2, MOST_CELLS)?;
+    positive(WebField::Side, side)?;
+    in_range(WebField::CellsPerSide, cells_per_side, 2, MOST_CELLS)?;
     let grid = Grid { cells: cells_per_side as i64, side };
     let (last_row, last_column) = (grid.last_row(), grid.last_column());
     let mut web = Web::empty(Kind::Traditional);

@@ -264,3 +264,14 @@ fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyed {
     let loads = buoyed.map(|(node, &force)| Load { node, force: DVec3::Z * force, ramp: 0.0 }).collect();
     Buoyed { loads, all: upward.iter().sum(), web: of_the_web }
 }
+
+#[cfg(test)]
+mod tests {
+    use netcast_dynamics::forces::sheet_drag::PLATE;
+    use netcast_scenario::air::Air;
+
+    #[test]
+    fn a_canopy_drags_as_a_plate_where_the_scenario_does_not_say() {
+        assert_eq!(Air::default().sheet_coefficient.si(), PLATE);
+    }
+}

@@ -6,9 +6,9 @@
 
 use netcast_webs::{Class, Pieces, Rope as Link, Web};
 
-use netcast_scenario::csv_files::RopeRow;
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
+use netcast_scenario::graph_files::RopeRow;
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path;
 use netcast_scenario::rope::Rope;
@@ -35,7 +35,7 @@ pub fn table_of(name: &str) -> Path {
 
 /// The rows of a graph's ropes, in the order of its links; none of another web.
 pub fn rows(document: &Document) -> &[RopeRow] {
-    document.graph.as_ref().map_or(&[][..], |graph| &graph.ropes)
+    document.files.graph.as_ref().map_or(&[][..], |graph| &graph.ropes)
 }
 
 /// Gives each of the web's links its rope.

@@ -11,6 +11,7 @@ use super::binding::{Binding, Bound, Lump};
 use super::canopy_links;
 use super::draft::Draft;
 use super::material::{PlacedBody, add_links, canopy_of, group_number};
+use super::places;
 use netcast_scenario::canopy::{Canopy, CanopyMembrane, SheetBending};
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
@@ -162,7 +163,8 @@ fn sheets(
         let triangles = mesh.triangles.iter().map(|triangle| triangle.map(|node| nodes[node])).collect();
         canopies.sheets.push(CutSheet { nodes, triangles, corners: cut.web.canopies[canopy].rim });
     }
-    add_elements(&mut canopies, sheet, &mesh, mass).map_err(|error| wrong(key_of(&error), error.to_string()))?;
+    add_elements(&mut canopies, sheet, &mesh, mass)
+        .map_err(|error| document.diagnostic(places::of_sheet(&error), error.to_string()))?;
     Ok(canopies)
 }
 
@@ -260,14 +262,6 @@ fn elasticity(sheet: &CanopyMembrane) -> (Elasticity, f64) {
     let shear = sheet.shear_modulus.map_or(mean / (2.0 * (1.0 + poisson_ratio)), |modulus| modulus.si());
     let fibre_angle = sheet.fibre_angle.si();
     (Elasticity { moduli: [along, across], poisson_ratio, shear_modulus: shear, fibre_angle }, mean)
-}
-
-/// The key of the sheet that an error is about.
-fn key_of(error: &ElementError) -> &'static str {
-    match error {
-        ElementError::Property { what: "Poisson ratio", .. } => "poisson_ratio",
-        _ => "thickness",
-    }
 }
 
 #[cfg(test)]

@@ -6,13 +6,14 @@ use netcast_webs::{
     graph, parallel_spacing, polygon, radial, space, square, topological, traditional,
 };
 
-use netcast_scenario::csv_files::GraphFiles;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
+use netcast_scenario::graph_files::GraphFiles;
 use netcast_scenario::quantity::Length;
 use netcast_scenario::scenario::Scenario;
 use netcast_scenario::web;
 
+use super::places;
 use super::size::Size;
 
 /// Segments along a web's radius where the scenario does not say how long they are.
@@ -61,17 +62,19 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
 }
 
 fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Result<Web, Diagnostics> {
-    let one = |path: &str, drawn: Result<Web, WebError>| {
+    let asked = &scenario.web;
+    let one = |drawn: Result<Web, WebError>| {
         drawn.map_err(|error| {
-            document.diagnostic(&format!("{path}.{}", key_of(&error, &scenario.web)), error.to_string()).into()
+            let path = error.field().map_or(asked.table().to_owned(), |field| places::of_web(field, asked));
+            Diagnostics::from(document.diagnostic(&path, error.to_string()))
         })
     };
-    match &scenario.web {
-        web::Web::Traditional(w) => one("web.traditional", traditional(w.side.si(), w.cells_per_side.get() as usize)),
-        web::Web::Topological(w) => one("web.topological", topological(w.side.si(), w.hexagon_side.si())),
+    match asked {
+        web::Web::Traditional(w) => one(traditional(w.side.si(), w.cells_per_side.get() as usize)),
+        web::Web::Topological(w) => one(topological(w.side.si(), w.hexagon_side.si())),
         web::Web::Space(w) => {
             let canopy = scenario.canopy.clone().unwrap_or_default();
-            one("web.space", space(w.side.si(), canopy.side_m()))
+            one(space(w.side.si(), canopy.side_m()))
         }
         web::Web::Square(w) => {
             let net = square(w.side.si(), w.mesh.si());
@@ -79,24 +82,21 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
                 Some(rope) => net.and_then(|net| net.with_gathering(rope.every.get() as usize, rope.excess.si())),
                 None => net,
             };
-            one("web.square", net)
+            one(net)
         }
         web::Web::Polygon(w) => {
             let (sides, side, mesh) = (w.sides.get() as usize, w.side_m(), w.mesh.si());
-            let drawn = one("web.polygon", polygon(sides, side, mesh))?;
+            let drawn = one(polygon(sides, side, mesh))?;
             notes.extend(parallels_apart(sides, side, mesh));
             Ok(drawn)
         }
-        web::Web::Radial(w) => one(
-            "web.radial",
-            radial(&Radial {
-                diameter: w.diameter.si(),
-                radials: w.radials.get() as usize,
-                rings: w.rings.get() as usize,
-                hub_diameter: w.hub_diameter.map(|diameter| diameter.si()),
-                corners: w.corners.unwrap_or(w.radials).get() as usize,
-            }),
-        ),
+        web::Web::Radial(w) => one(radial(&Radial {
+            diameter: w.diameter.si(),
+            radials: w.radials.get() as usize,
+            rings: w.rings.get() as usize,
+            hub_diameter: w.hub_diameter.map(|diameter| diameter.si()),
+            corners: w.corners.unwrap_or(w.radials).get() as usize,
+        })),
         web::Web::Diamond(w) => {
             let net = Diamond {
                 mesh: w.mesh.si(),
@@ -104,45 +104,19 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
                 meshes_wide: w.meshes_wide.get() as usize,
                 meshes_high: w.meshes_high.get() as usize,
             };
-            let drawn = one("web.diamond", diamond(&net))?;
+            let drawn = one(diamond(&net))?;
             let [width, height] = net.size();
             notes.push(format!("the diamond net is {width:.4} m wide and {height:.4} m high"));
             Ok(drawn)
         }
         web::Web::Graph(w) => {
-            let files = document.graph.as_ref().expect("a document of a graph has read its files");
+            let files = document.files.graph.as_ref().expect("a document of a graph has read its files");
             Size::of_graph(files).require(document, "web.graph.ropes", "run it where there is more memory")?;
             graph(&listed(w, files, scenario)).map_err(|errors| {
                 let all = errors.into_iter().map(|error| graph_diagnostic(document, files, error)).collect();
                 Diagnostics::fail_if_any(all).expect_err("a web that is refused has errors")
             })
         }
-    }
-}
-
-/// The key of a web's table that an error is about.
-fn key_of(error: &WebError, web: &web::Web) -> &'static str {
-    match (error, web) {
-        (WebError::Count { what: "the number of sides", .. }, _) => "sides",
-        (WebError::Count { what: "the number of radials", .. }, _) => "radials",
-        (WebError::Count { what: "the number of rings", .. }, _) => "rings",
-        (WebError::Count { what: "the number of meshes across the width", .. }, _) => "meshes_wide",
-        (WebError::Count { what: "the number of meshes across the height", .. }, _) => "meshes_high",
-        (WebError::Count { .. }, web::Web::Traditional(_)) => "cells_per_side",
-        (WebError::Count { .. } | WebError::UnevenCorners { .. }, web::Web::Radial(_)) => "corners",
-        (WebError::HubTooLarge { .. }, _) => "hub_diameter",
-        (WebError::HangingRatio { .. }, web::Web::Diamond(net)) if net.hanging_ratio.is_none() => "angle",
-        (WebError::HangingRatio { .. }, _) => "hanging_ratio",
-        (WebError::TiesMissCorners { .. }, _) => "gathering.every",
-        (WebError::Excess { .. }, _) => "gathering.excess",
-        (
-            WebError::MeshDoesNotDivide { .. }
-            | WebError::MeshTooLarge { .. }
-            | WebError::MeshBeyondApothem { .. }
-            | WebError::Count { .. },
-            _,
-        ) => "mesh",
-        _ => "side",
     }
 }
 
@@ -221,11 +195,12 @@ fn add_traction(document: &Document, scenario: &Scenario, web: Web) -> Result<We
     }
     let (length, count) = scenario.traction_rope.as_ref().map_or((0.0, 1), |t| (t.length.si(), t.count.get() as usize));
     web.with_traction(length, count).map_err(|error| {
-        let path = match error {
-            WebError::NoCorners | WebError::CornerInTheMiddle { .. } if some_tractor => "tractor",
-            _ => "traction_rope",
+        let path = match (&error, error.field()) {
+            (WebError::NoCorners | WebError::CornerInTheMiddle { .. }, _) if some_tractor => "tractor".to_owned(),
+            (_, Some(field)) => places::of_web(field, &scenario.web),
+            _ => "traction_rope".to_owned(),
         };
-        document.diagnostic(path, error.to_string()).into()
+        document.diagnostic(&path, error.to_string()).into()
     })
 }
 

@@ -7,10 +7,10 @@ use netcast_dynamics::drive::Drive;
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
-use super::selection::Selection;
-use netcast_scenario::csv_files::PathRow;
+use super::selection::resolve;
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
+use netcast_scenario::drive::PathRow;
 use netcast_scenario::drive::misplaced;
 use netcast_scenario::path::Path;
 
@@ -42,7 +42,7 @@ impl Drives<'_> {
                 before = Some(time);
                 points.extend((time > 0.0).then_some((time, DVec3::from(by))));
             }
-            let nodes = match Selection::from(drive).resolve(document, cut, &path) {
+            let nodes = match resolve(&drive.on, document, cut, &path) {
                 Ok(nodes) => nodes,
                 Err(Diagnostics(wrong)) => {
                     found.extend(wrong);
@@ -66,7 +66,7 @@ impl Drives<'_> {
 /// Finds what is driven.
 pub fn drive(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, parts, state, .. } = draft;
-    let named = Drives { table: "drive", drives: &scenario.drive, files: &document.paths };
+    let named = Drives { table: "drive", drives: &scenario.drive, files: &document.files.paths };
     parts.drives = named.resolve(document, cut, &state.position)?;
     Ok(())
 }

@@ -70,7 +70,7 @@ fn turned(launch: &Launch) -> DMat3 {
 /// What a graph's file says of its nodes' velocities, world frame, m/s, (nodes,).
 pub fn own_velocities(document: &Document, cut: &CutWeb, frame: DMat3) -> Vec<DVec3> {
     let mut velocity = vec![DVec3::ZERO; cut.nodes.len()];
-    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+    for (node, row) in document.files.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         velocity[node] = frame * DVec3::from_array(row.velocity_m_s);
     }
     velocity
@@ -179,7 +179,7 @@ fn contradictions(document: &Document, scenario: &Scenario) -> Vec<Diagnostic> {
 fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
     let points = |key: &str, at: Option<Vec<f64>>, force: Option<Vec<f64>>| {
         let path = format!("launch.tube.{key}");
-        let points: Vec<(f64, f64)> = match (at, force, &document.push) {
+        let points: Vec<(f64, f64)> = match (at, force, &document.files.push) {
             (Some(at), Some(force), _) if at.len() == force.len() && !at.is_empty() => {
                 at.into_iter().zip(force).collect()
             }

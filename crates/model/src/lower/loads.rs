@@ -5,7 +5,7 @@ use netcast_dynamics::forces::load::Load;
 
 use super::draft::Draft;
 use super::material::{Group, Member};
-use super::selection::Selection;
+use super::selection::resolve;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::load;
@@ -26,7 +26,7 @@ pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
             }
             _ => {
                 let force = DVec3::from(load.force.map_or([0.0; 3], |force| force.map(|f| f.si())));
-                let nodes = Selection::from(load).resolve(document, cut, &path);
+                let nodes = resolve(&load.on, document, cut, &path);
                 nodes.map(|nodes| nodes.into_iter().map(|node| (node, force)).collect::<Vec<_>>())
             }
         };

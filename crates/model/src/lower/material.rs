@@ -13,8 +13,8 @@ use super::assignment::{self, rings};
 use super::draft::Draft;
 use super::{canopy_links, rope_law};
 use netcast_scenario::canopy::Canopy;
-use netcast_scenario::csv_files::RopeRow;
 use netcast_scenario::diagnostic::Diagnostics;
+use netcast_scenario::graph_files::RopeRow;
 use netcast_scenario::rope::{Damping, Rope};
 use netcast_scenario::scenario::Scenario;
 
@@ -243,7 +243,7 @@ pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
             parts.mass[body.node] += body.solid.mass_kg;
         }
     }
-    for (node, row) in document.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+    for (node, row) in document.files.graph.iter().flat_map(|g| &g.nodes).enumerate() {
         parts.mass[node] += row.mass_kg;
     }
     canopies.bind(cut, &mut parts.mass);

@@ -19,6 +19,7 @@ mod loads;
 pub(crate) mod material;
 mod notes;
 mod packing;
+mod places;
 mod points;
 mod prescribed;
 mod release;

@@ -21,7 +21,7 @@ pub fn prescribed(
     plates: Vec<StiffPlate>,
 ) -> Result<Prescribed, Diagnostics> {
     let flat = vec![DVec3::ZERO; cut.nodes.len()];
-    let named = Drives { table: DRIVES, drives: &stow.drive, files: &document.stow_paths };
+    let named = Drives { table: DRIVES, drives: &stow.drive, files: &document.files.stow_paths };
     let mut found = late_points(document, stow);
     let led = named.resolve(document, cut, &flat).unwrap_or_else(|Diagnostics(wrong)| {
         found.extend(wrong);
@@ -55,7 +55,7 @@ fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
         let path = Path::parse(DRIVES).key(name);
         let listed = drive.path.iter().flatten().enumerate();
         let listed = listed.map(|(index, point)| (path.key("path").index(index).key("time"), point.time.si()));
-        let rows = document.stow_paths.get(name).into_iter().flatten();
+        let rows = document.files.stow_paths.get(name).into_iter().flatten();
         let points = listed.chain(rows.map(|row| (path.key("file"), row.time_s)));
         let (place, time) =
             points.into_iter().find(|&(_, time)| time > 0.0 && !PackingTime::INTERVAL.contains(time))?;

@@ -1,8 +1,11 @@
 //! Laws of ropes, and when they break, as the system has them.
 
+use std::sync::Arc;
+
 use netcast_dynamics::forces::bilinear::Bilinear;
 use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::tabulated::{TableError, Tabulated};
 use netcast_dynamics::forces::viscoelastic::Viscoelastic;
 
 use super::material::section;
@@ -24,8 +27,10 @@ pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnos
             Law::Bilinear(Bilinear { strain: strain.si(), ratio: second_modulus.si() / modulus })
         }
         RopeLaw::Table(table) => {
-            let read = document.rope_tables.get(&table.file);
-            Law::Tabulated(read.expect("a document has read the tables of its ropes").clone())
+            let file = document.files.laws.get(&table.file).expect("a document has read the tables of its ropes");
+            let law = Tabulated::new(&file.strain, &file.tension, file.unloading.as_deref());
+            let wrong = |error: TableError| file.at_row(error.row().unwrap_or(0), &error.to_string());
+            Law::Tabulated(Arc::new(law.map_err(wrong)?))
         }
         RopeLaw::Viscoelastic(ViscoelasticLaw { instantaneous_modulus, relaxation_time }) => {
             let (at_once, relaxation_time) = (instantaneous_modulus.si(), relaxation_time.si());

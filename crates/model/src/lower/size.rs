@@ -7,9 +7,9 @@ use netcast_webs::{MOST_SEGMENTS, Web};
 
 use super::stepping::MOST_ROWS;
 use netcast_scenario::canopy::Canopy;
-use netcast_scenario::csv_files::GraphFiles;
 use netcast_scenario::diagnostic::Diagnostics;
 use netcast_scenario::document::Document;
+use netcast_scenario::graph_files::GraphFiles;
 use netcast_scenario::memory::{available, in_words};
 use netcast_scenario::scenario::Scenario;
 

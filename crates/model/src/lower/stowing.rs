@@ -5,21 +5,22 @@ use netcast_dynamics::forces::element::Element;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::membrane::Membrane;
 use netcast_webs::{
-    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, PackingError, Pattern, Scale, Settled,
-    StiffPlate, StowedSegment, audit as look_over,
+    Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, Pattern, Scale, Settled, StiffPlate,
+    StowedSegment, audit as look_over,
 };
 
 use super::Stage;
 use super::canopies::{Canopies, CutSheet};
 use super::draft::Draft;
+use super::places;
 use super::prescribed::prescribed;
 use netcast_scenario::canopy::Canopy;
-use netcast_scenario::csv_files::StowRow;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::interval::Positive;
 use netcast_scenario::nearest::nearest;
 use netcast_scenario::quantity::Length;
+use netcast_scenario::stow::StowRow;
 use netcast_scenario::stow::{Along, Container as Room, PrescribedStow, Stow, Stowage};
 
 /// Where everything is at launch, in the launch frame.
@@ -57,7 +58,7 @@ pub fn stow(draft: &mut Draft) -> Result<(), Diagnostics> {
                 seed: imperfect.seed.into(),
             });
             match pattern {
-                Stow::Prescribed(led) => settle(draft, led, imperfection.as_ref())?,
+                Stow::Prescribed(led) => settle(draft, pattern, led, imperfection.as_ref())?,
                 pattern => pack(draft.document, &draft.cut, canopies, pattern, imperfection.as_ref())?,
             }
         }
@@ -82,7 +83,7 @@ fn pattern(document: &Document, cut: &CutWeb, stow: &Stow) -> Result<Pattern, Di
         }),
         Stow::Prescribed(_) => unreachable!("what is led has no pattern"),
         Stow::File(_) => {
-            let rows = document.stowed.as_ref().expect("a document with a stow file has read it");
+            let rows = document.files.stowed.as_ref().expect("a document with a stow file has read it");
             Pattern::Given(Given { positions: given(document, cut, rows)? })
         }
         Stow::Zigzag(zigzag) => {
@@ -116,16 +117,9 @@ fn pack(
     imperfection: Option<&Imperfection>,
 ) -> Result<Stowed, Diagnostics> {
     let pattern = pattern(document, cut, stow)?;
-    let mut positions = pattern.pack_imperfectly(cut, imperfection).map_err(|error| {
-        let size = match &pattern {
-            Pattern::Scale(_) => "factor",
-            Pattern::Given(_) => "path",
-            Pattern::Bag(_) => "radius",
-            Pattern::Folded(_) => "container",
-        };
-        let key = key_of(&error).unwrap_or(size);
-        document.diagnostic(&format!("{}.{key}", stow.table()), error.to_string())
-    })?;
+    let mut positions = pattern
+        .pack_imperfectly(cut, imperfection)
+        .map_err(|error| document.diagnostic(&places::of_packing(error.field(), stow), error.to_string()))?;
     match &pattern {
         Pattern::Given(given) => fit(document, cut, canopies, given, positions),
         Pattern::Folded(_) => {
@@ -170,27 +164,21 @@ fn fit(
 }
 
 /// The web led into its container.
-fn settle(draft: &Draft, led: &PrescribedStow, imperfection: Option<&Imperfection>) -> Result<Stowed, Diagnostics> {
+fn settle(
+    draft: &Draft,
+    stow: &Stow,
+    led: &PrescribedStow,
+    imperfection: Option<&Imperfection>,
+) -> Result<Stowed, Diagnostics> {
     let (document, cut) = (draft.document, &draft.cut);
     let packing = prescribed(document, cut, led, &draft.parts.mass, draft.canopies.laid_in_folds())?;
-    let (positions, turns, Settled { time, share }) = packing.pack(cut, imperfection).map_err(|error| {
-        let key = key_of(&error).unwrap_or(if error == PackingError::NothingLed { "drive" } else { "radius" });
-        document.diagnostic(&format!("stow.prescribed.{key}"), error.to_string())
-    })?;
+    let (positions, turns, Settled { time, share }) = packing
+        .pack(cut, imperfection)
+        .map_err(|error| document.diagnostic(&places::of_packing(error.field(), stow), error.to_string()))?;
     let how = if share <= packing.rest { "came to rest" } else { "was taken as it was" };
     let settled =
         format!("the web {how} in its container after {time:.2} s, at {share:.1e} of its largest kinetic energy");
     Ok(Stowed { settled: Some(settled), ..Stowed::new(positions, &packing.plates, turns) })
-}
-
-/// The key of a packing's table that an error is about; none for the size of the pack.
-fn key_of(error: &PackingError) -> Option<&'static str> {
-    match error {
-        PackingError::Depth { .. } | PackingError::Size { what: "depth", .. } => Some("depth"),
-        PackingError::TractorOutOfReach { .. } => Some("tractor_radius"),
-        PackingError::Gap { .. } => Some("tractor_gap"),
-        _ => None,
-    }
 }
 
 fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mouth: Mouth) -> Pattern {

@@ -16,7 +16,7 @@ use netcast_webs::{Class, CutWeb};
 use super::draft::Draft;
 use super::loads::unknown_class;
 use super::material::{Group, Member, Part};
-use super::selection::{Selection, unknown_knot};
+use super::selection::{resolve, unknown_knot};
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::interval::Positive;
@@ -121,7 +121,7 @@ fn break_ties(document: &Document, cut: &CutWeb, scenario: &Scenario, found: &mu
     let mut ties = Vec::new();
     for (index, tie) in scenario.break_ties.iter().enumerate() {
         let path = Path::default().key("break_ties").index(index);
-        let mut spans = match Selection::from(tie).resolve(document, cut, &path) {
+        let mut spans = match resolve(&tie.on, document, cut, &path) {
             Ok(nodes) => nodes.into_iter().map(|node| [node; 2]).collect(),
             Err(Diagnostics(wrong)) => {
                 found.extend(wrong);

@@ -7,10 +7,10 @@ use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use netcast_scenario::csv_files::WindRow;
 use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
 use netcast_scenario::document::Document;
 use netcast_scenario::scenario::Scenario;
+use netcast_scenario::wind::WindRow;
 use netcast_scenario::wind::{self, Gust, LogarithmicProfile, PowerProfile, Turbulence};
 
 /// The longest run for which turbulence is made, s: it is a table, which takes time and room.
@@ -29,7 +29,7 @@ const GUST_ENTRIES: f64 = 200.0;
 /// Values that do not fit each other.
 pub fn wind(document: &Document, scenario: &Scenario, duration: f64, top: f64) -> Result<Wind, Diagnostics> {
     let Some(asked) = &scenario.environment.wind else { return Ok(Wind::none()) };
-    if let Some(rows) = &document.wind {
+    if let Some(rows) = &document.files.wind {
         return match resampled(during(rows, duration)) {
             Some(fluctuation) => Ok(Wind { fluctuation, ..Wind::none() }),
             None => {

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use super::mouth::{Mouth, ROUNDING, size};
 use super::{Imperfection, PackingError};
-use crate::{CutWeb, Web};
+use crate::{CutWeb, PackingField, Web};
 
 /// Share of the largest possible depth that a bag takes where none is stated: slack enough to lie in a bag.
 const DEFAULT_SHARE: f64 = 0.6;
@@ -55,7 +55,7 @@ impl Bag {
         }
         let limit = (reach * reach - self.radius * self.radius).max(0.0).sqrt();
         let depth = self.depth.unwrap_or(DEFAULT_SHARE * limit);
-        size("depth", depth)?;
+        size(PackingField::Depth, depth)?;
         if depth > limit * (1.0 + ROUNDING) {
             return Err(PackingError::Depth { depth, limit });
         }

@@ -38,6 +38,7 @@ pub use sector::Sector;
 use glam::DVec3;
 
 use crate::CutWeb;
+use crate::field::PackingField;
 
 /// The ways to pack a web.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +95,7 @@ pub enum PackingError {
     #[error("the {what} must be a length of 0 m or more, not {value} m")]
     Size {
         /// Which size.
-        what: &'static str,
+        what: PackingField,
         /// Its value, m.
         value: f64,
     },
@@ -171,6 +172,25 @@ pub enum PackingError {
     /// A position is not a finite number.
     #[error("the position of {0} is not a number")]
     NotFinite(String),
+}
+
+impl PackingError {
+    /// What it is about.
+    pub fn field(&self) -> PackingField {
+        match self {
+            PackingError::Factor(_) => PackingField::Factor,
+            PackingError::Size { what, .. } => *what,
+            PackingError::Radius { .. } => PackingField::Radius,
+            PackingError::Depth { .. } => PackingField::Depth,
+            PackingError::TractorOutOfReach { .. } => PackingField::TractorRadius,
+            PackingError::Gap { .. } => PackingField::TractorGap,
+            PackingError::Room { .. } => PackingField::Container,
+            PackingError::NothingLed => PackingField::Paths,
+            PackingError::Count { .. } | PackingError::Missing { .. } | PackingError::NotFinite(_) => {
+                PackingField::Positions
+            }
+        }
+    }
 }
 
 /// The longest stretch of any segment of a packed web, over its rest length.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::PackingError;
-use crate::{CutWeb, Rope, Web};
+use crate::{CutWeb, PackingField, Rope, Web};
 
 /// Share of the traction ropes' length that the gap takes where none is stated: far from stretched.
 const DEFAULT_SHARE: f64 = 0.6;
@@ -28,7 +28,7 @@ impl Mouth {
     /// is that of the packed web, m. Nodes of traction ropes lie evenly on the line from corner to tractor.
     pub(super) fn close(&self, cut_web: &CutWeb, packed: &mut [DVec3], radius: f64) -> Result<(), PackingError> {
         let web = &cut_web.web;
-        let radius = size("tractors' radius", self.tractor_radius.unwrap_or(radius))?;
+        let radius = size(PackingField::TractorRadius, self.tractor_radius.unwrap_or(radius))?;
         let gap = self.gap(web, packed, radius)?;
         packed.iter_mut().for_each(|node| *node -= DVec3::Z * gap);
         for (tractor, ropes) in web.traction.iter().enumerate() {
@@ -46,7 +46,7 @@ impl Mouth {
 
     /// How far the top of the packed web lies below the muzzle, m.
     fn gap(&self, web: &Web, packed: &[DVec3], radius: f64) -> Result<f64, PackingError> {
-        let stated = self.tractor_gap.map(|gap| size("tractor gap", gap)).transpose()?;
+        let stated = self.tractor_gap.map(|gap| size(PackingField::TractorGap, gap)).transpose()?;
         let mut default = f64::INFINITY;
         for (tractor, ropes) in web.traction.iter().enumerate() {
             // the corner as it lies with no gap, and how far down the rope still reaches from its tractor
@@ -77,6 +77,6 @@ fn place(web: &Web, tractor: usize, radius: f64) -> DVec3 {
 }
 
 /// A size that is not negative.
-pub(super) fn size(what: &'static str, value: f64) -> Result<f64, PackingError> {
+pub(super) fn size(what: PackingField, value: f64) -> Result<f64, PackingError> {
     if value >= 0.0 && value.is_finite() { Ok(value) } else { Err(PackingError::Size { what, value }) }
 }

@@ -19,7 +19,7 @@ use super::mouth::size;
 use super::plate::StiffPlate;
 use super::ties::{self, Drawn, Tie};
 use super::{Imperfection, Mouth, PackingError};
-use crate::{CutRope, CutWeb};
+use crate::{CutRope, CutWeb, PackingField};
 
 /// A step, s.
 const STEP: f64 = 2e-3;
@@ -112,7 +112,7 @@ impl Prescribed {
             return Err(PackingError::Radius { radius: self.radius, limit: reach });
         }
         if let Some(depth) = self.depth {
-            size("depth", depth)?;
+            size(PackingField::Depth, depth)?;
         }
         let paths = if self.paths.is_empty() { self.drawn_in(cut_web)? } else { self.paths.clone() };
         let mut settling = Settling::new(self, cut_web, paths);
