@@ -1,9 +1,6 @@
 //! Which scenarios are small enough to be drawn for every input: a fuzzer tries thousands a second.
 
-use netcast_scenario::Document;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::stow::Stow;
-use netcast_scenario::web::Web;
+use netcast_scenario::{Canopy, Document, Stow, Web};
 
 /// Most cells along a side, and most segments along the web's size.
 const MOST_CELLS: f64 = 12.0;

@@ -5,10 +5,7 @@ use netcast_dynamics::body::Body;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System};
 use netcast_dynamics::time::step_size::StepLimit;
-use netcast_scenario::body::Solid;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::scenario::Scenario;
+use netcast_scenario::{Diagnostics, Document, Scenario, Solid};
 use netcast_webs::{Audit, Bill, CutWeb};
 
 use crate::lower::material::{self, Member};
@@ -55,7 +52,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Makes the model of a scenario; see [`crate::lower`] for the stages.
+    /// Makes the model of a scenario, stage by stage.
     ///
     /// # Errors
     /// Everything that does not fit, as far as it can be told at once, each with its place.

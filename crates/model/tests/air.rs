@@ -6,8 +6,7 @@ use glam::{DVec2, DVec3};
 use netcast_dynamics::air::Attitude;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_model::{Fall, Model};
-use netcast_scenario::diagnostic::Source;
-use netcast_scenario::{Diagnostics, Document, resolved_toml};
+use netcast_scenario::{Diagnostics, Document, Source, resolved_toml};
 
 const NET: &str = r#"
 web.square = { side = "2 m", mesh = "0.5 m" }

@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 use netcast_model::Model;
-use netcast_scenario::diagnostic::Source;
-use netcast_scenario::{Diagnostics, Document};
+use netcast_scenario::{Diagnostics, Document, Source};
 
 const NET: &str = r#"
 web.square = { side = "2 m", mesh = "0.5 m" }

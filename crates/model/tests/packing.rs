@@ -59,7 +59,7 @@ fn layers_lie_a_rope_apart_and_traction_ropes_do_not_count() {
     let spacing = |rest: &str| {
         let text = format!("{NET}[stow.layers.container.cylinder]\nradius = 1\nheight = 1\n{rest}");
         let document = parse(&text, &[]).unwrap();
-        let netcast_scenario::stow::Stow::Layers(layers) = document.scenario.stow.unwrap().pattern else { panic!() };
+        let netcast_scenario::Stow::Layers(layers) = document.scenario.stow.unwrap().pattern else { panic!() };
         layers.spacing.unwrap().si()
     };
     assert_eq!(spacing(""), 0.003);

@@ -13,8 +13,7 @@ use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System, SystemParts};
 use netcast_dynamics::time::step::{LEAST_SLOTS_FOR_THREADS, Stepper, Vectors};
 use netcast_model::Model;
-use netcast_scenario::diagnostic::Source;
-use netcast_scenario::{Diagnostics, Document};
+use netcast_scenario::{Diagnostics, Document, Source};
 use rayon::prelude::*;
 use serde::Serialize;
 

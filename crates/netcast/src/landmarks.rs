@@ -3,8 +3,7 @@
 use glam::DVec3;
 use netcast_model::{Model, PlacedBody, Role};
 use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
-use netcast_scenario::body::Shape;
-use netcast_scenario::canopy::Canopy;
+use netcast_scenario::{Canopy, Shape};
 
 /// The landmarks of a model.
 pub fn landmarks(model: &Model) -> Landmarks {

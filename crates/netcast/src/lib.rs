@@ -13,8 +13,8 @@
 //! ```
 //!
 //! Each stage is a crate of its own, re-exported here: [`webs`] is what is made, [`scenario`] what the user writes,
-//! [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at. ARCHITECTURE.md has the
-//! picture.
+//! [`model`] what that means, [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at.
+//! ARCHITECTURE.md has the picture.
 
 pub mod bench;
 mod compare;

@@ -13,8 +13,7 @@ use netcast_results::{
     Checkpoint, CheckpointEvery, Checkpoints, Machine, Manifest, Recorder, Recording, ResultError, ResultFolder, disk,
     folder,
 };
-use netcast_scenario::solve::{OnEnergyError, Solve};
-use netcast_scenario::{Diagnostics, Document};
+use netcast_scenario::{Diagnostics, Document, OnEnergyError, Solve};
 
 use crate::inputs::Inputs;
 use crate::landmarks::landmarks;

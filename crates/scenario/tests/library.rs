@@ -7,10 +7,9 @@ use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_4;
 
 use common::parse;
-use netcast_scenario::canopy::Canopy;
 use netcast_scenario::library::{Fibre, RopeMaterial, Value, library};
 use netcast_scenario::quantity::Quantity;
-use netcast_scenario::{Diagnostics, resolved_toml};
+use netcast_scenario::{Canopy, Diagnostics, resolved_toml};
 
 /// A value stripped of its type: what it is of, its sources with those of its scatter, whether it lies in its scatter.
 struct Checked {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use netcast::Model;
 use netcast::model::node_id;
-use netcast::scenario::stow::{StowedNode, write_stow};
+use netcast::scenario::{StowedNode, write_stow};
 
 use super::ScenarioArguments;
 use crate::Ended;

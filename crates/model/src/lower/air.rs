@@ -17,6 +17,8 @@ use netcast_dynamics::forces::sheet_drag::SheetDrag;
 use netcast_dynamics::launcher::{Launcher, Means, Push};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::SystemParts;
+use netcast_scenario::interval::{OpenShare, Within};
+use netcast_scenario::{Air as WrittenAir, Canopy, Diagnostic, Diagnostics, Document, Shape, Solidity};
 use netcast_webs::{Class, CutWeb};
 
 use super::bodies::at_launch;
@@ -25,12 +27,6 @@ use super::draft::Draft;
 use super::launch::frame;
 use super::material::{Group, Member, PlacedBody, Role};
 use super::wind::wind;
-use netcast_scenario::air::{self, Solidity};
-use netcast_scenario::body::Shape;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::interval::{OpenShare, Within};
 
 /// Apothem over side of a regular hexagon: sqrt(3)/2.
 const APOTHEM: f64 = 0.866_025_403_784_438_6;
@@ -171,7 +167,7 @@ fn drawn_solidity(draft: &Draft) -> Option<f64> {
     Some(projected.sum::<f64>() / area)
 }
 
-fn solidity(document: &Document, asked: &air::Air, drawn: Option<f64>) -> Result<Option<f64>, Diagnostic> {
+fn solidity(document: &Document, asked: &WrittenAir, drawn: Option<f64>) -> Result<Option<f64>, Diagnostic> {
     const KEY: &str = "environment.air.solidity";
     match (asked.solidity, drawn) {
         (None, _) => Ok(None),
@@ -268,7 +264,7 @@ fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyed {
 #[cfg(test)]
 mod tests {
     use netcast_dynamics::forces::sheet_drag::PLATE;
-    use netcast_scenario::air::Air;
+    use netcast_scenario::Air;
 
     #[test]
     fn a_canopy_drags_as_a_plate_where_the_scenario_does_not_say() {

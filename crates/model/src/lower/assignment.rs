@@ -4,15 +4,9 @@
 //! the name that messages use (`radial link 24-29, rope 1`; `radial link 24-29` is both its ropes). The narrower
 //! prevails; a row of a graph's file that names its rope prevails over all. `netcast check --links` lists the names.
 
-use netcast_webs::{Class, Pieces, Rope as Link, Web};
-
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::graph_files::RopeRow;
-use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path;
-use netcast_scenario::rope::Rope;
-use netcast_scenario::scenario::Scenario;
+use netcast_scenario::{Diagnostics, Document, Rope, RopeRow, Scenario, nearest};
+use netcast_webs::{Class, Pieces, Rope as Link, Web};
 
 use super::draft::Draft;
 

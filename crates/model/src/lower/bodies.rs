@@ -6,15 +6,12 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use netcast_dynamics::body::{Body, Tie};
+use netcast_scenario::{Attitude, Diagnostics, Scenario, TiedAt};
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
 use super::launch::Throw;
 use super::material::{PlacedBody, Role};
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::launch::Attitude;
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::tractor::TiedAt;
 
 /// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and places these on their centres.
 pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {

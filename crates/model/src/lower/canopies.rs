@@ -5,6 +5,7 @@ use netcast_dynamics::forces::element::ElementError;
 use netcast_dynamics::forces::hinge::{Hinge, flexural_rigidity};
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
+use netcast_scenario::{Canopy, CanopyMembrane, Damping, Diagnostics, Document, SheetBending};
 use netcast_webs::{Class, CutWeb, Sheet, StiffPlate, hexagonal_sheet};
 
 use super::binding::{Binding, Bound, Lump};
@@ -12,10 +13,6 @@ use super::canopy_links;
 use super::draft::Draft;
 use super::material::{PlacedBody, add_links, canopy_of, group_number};
 use super::places;
-use netcast_scenario::canopy::{Canopy, CanopyMembrane, SheetBending};
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::rope::Damping;
 
 /// What the canopies of a web are, beside links.
 #[derive(Debug, Clone, Default)]

@@ -12,7 +12,7 @@
 //! Mass: a third of each triangle's at each of its corners, so a third of the canopy on the hub and a ninth on each
 //! rim node. What it is not: a plate. It neither bends nor keeps its shape, and it takes no compression.
 
-use netcast_scenario::canopy::CanopyLinks;
+use netcast_scenario::CanopyLinks;
 
 /// sqrt(3)/2.
 const HALF_ROOT_3: f64 = 0.866_025_403_784_438_6;

@@ -4,9 +4,7 @@ use glam::{DMat3, DVec3};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{System, SystemParts};
 use netcast_dynamics::time::step_size::StepLimit;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::scenario::Scenario;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario};
 use netcast_webs::{Audit, Bill, CutWeb};
 
 use super::air::AirOutline;

@@ -1,17 +1,14 @@
 //! The web as drawn: its kind, its traction ropes, its stubs merged, cut into segments.
 
 use glam::DVec3;
+use netcast_scenario::quantity::Length;
+use netcast_scenario::{
+    Diagnostic, Diagnostics, Document, Graph as WrittenGraph, GraphFiles, Scenario, Web as WrittenWeb,
+};
 use netcast_webs::{
     CutError, CutWeb, Cutting, Diamond, Graph, GraphNode, GraphRope, Merged, Radial, Site, Web, WebError, cut, diamond,
     graph, parallel_spacing, polygon, radial, space, square, topological, traditional,
 };
-
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::graph_files::GraphFiles;
-use netcast_scenario::quantity::Length;
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::web;
 
 use super::places;
 use super::size::Size;
@@ -24,7 +21,7 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     let mut web = kind(document, scenario, notes)?;
     name_points(scenario, &mut web);
     let per_mesh = match &scenario.web {
-        web::Web::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
+        WrittenWeb::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
         _ => None,
     };
     let length = match (per_mesh, scenario.solve.segment_length) {
@@ -38,7 +35,7 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
         }
     };
     // the one web that its outline clips; elsewhere a short rope was asked for
-    if matches!(scenario.web, web::Web::Traditional(_)) {
+    if matches!(scenario.web, WrittenWeb::Traditional(_)) {
         notes.extend(merged(web.merge_stubs(0.5 * length)));
     }
     let web = add_traction(document, scenario, web)?;
@@ -70,13 +67,13 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
         })
     };
     match asked {
-        web::Web::Traditional(w) => one(traditional(w.side.si(), w.cells_per_side.get() as usize)),
-        web::Web::Topological(w) => one(topological(w.side.si(), w.hexagon_side.si())),
-        web::Web::Space(w) => {
+        WrittenWeb::Traditional(w) => one(traditional(w.side.si(), w.cells_per_side.get() as usize)),
+        WrittenWeb::Topological(w) => one(topological(w.side.si(), w.hexagon_side.si())),
+        WrittenWeb::Space(w) => {
             let canopy = scenario.canopy.clone().unwrap_or_default();
             one(space(w.side.si(), canopy.side_m()))
         }
-        web::Web::Square(w) => {
+        WrittenWeb::Square(w) => {
             let net = square(w.side.si(), w.mesh.si());
             let net = match &w.gathering {
                 Some(rope) => net.and_then(|net| net.with_gathering(rope.every.get() as usize, rope.excess.si())),
@@ -84,20 +81,20 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
             };
             one(net)
         }
-        web::Web::Polygon(w) => {
+        WrittenWeb::Polygon(w) => {
             let (sides, side, mesh) = (w.sides.get() as usize, w.side_m(), w.mesh.si());
             let drawn = one(polygon(sides, side, mesh))?;
             notes.extend(parallels_apart(sides, side, mesh));
             Ok(drawn)
         }
-        web::Web::Radial(w) => one(radial(&Radial {
+        WrittenWeb::Radial(w) => one(radial(&Radial {
             diameter: w.diameter.si(),
             radials: w.radials.get() as usize,
             rings: w.rings.get() as usize,
             hub_diameter: w.hub_diameter.map(|diameter| diameter.si()),
             corners: w.corners.unwrap_or(w.radials).get() as usize,
         })),
-        web::Web::Diamond(w) => {
+        WrittenWeb::Diamond(w) => {
             let net = Diamond {
                 mesh: w.mesh.si(),
                 hanging_ratio: w.hanging_ratio(),
@@ -109,7 +106,7 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
             notes.push(format!("the diamond net is {width:.4} m wide and {height:.4} m high"));
             Ok(drawn)
         }
-        web::Web::Graph(w) => {
+        WrittenWeb::Graph(w) => {
             let files = document.files.graph.as_ref().expect("a document of a graph has read its files");
             Size::of_graph(files).require(document, "web.graph.ropes", "run it where there is more memory")?;
             graph(&listed(w, files, scenario)).map_err(|errors| {
@@ -130,7 +127,7 @@ fn parallels_apart(sides: usize, side: f64, mesh: f64) -> Option<String> {
 }
 
 /// The files' rows as the web's own lists.
-fn listed(web: &web::Graph, files: &GraphFiles, scenario: &Scenario) -> Graph {
+fn listed(web: &WrittenGraph, files: &GraphFiles, scenario: &Scenario) -> Graph {
     let id = |node: usize| files.nodes[node].id.clone();
     Graph {
         nodes: files
@@ -178,7 +175,7 @@ fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) ->
 
 /// Finds the feature points of a web that is not a graph; those that it has not are told later.
 fn name_points(scenario: &Scenario, web: &mut Web) {
-    if matches!(scenario.web, web::Web::Graph(_)) {
+    if matches!(scenario.web, WrittenWeb::Graph(_)) {
         return;
     }
     for (name, id) in &scenario.points {

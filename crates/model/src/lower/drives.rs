@@ -4,22 +4,19 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use netcast_dynamics::drive::Drive;
+use netcast_scenario::path::Path;
+use netcast_scenario::{Diagnostics, Document, PathRow, misplaced};
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
 use super::selection::resolve;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::drive::PathRow;
-use netcast_scenario::drive::misplaced;
-use netcast_scenario::path::Path;
 
 /// Drives as a scenario names them.
 pub struct Drives<'s> {
     /// The table that they stand in.
     pub table: &'s str,
     /// By name.
-    pub drives: &'s BTreeMap<String, netcast_scenario::drive::Drive>,
+    pub drives: &'s BTreeMap<String, netcast_scenario::Drive>,
     /// The files of their paths, by name.
     pub files: &'s BTreeMap<String, Vec<PathRow>>,
 }

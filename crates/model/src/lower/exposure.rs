@@ -4,11 +4,11 @@ use glam::DVec3;
 use netcast_dynamics::air::{Air, BodyDrag};
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_dynamics::forces::rope_drag::RopeDrag;
+use netcast_scenario::Scenario;
 use netcast_webs::Class;
 
 use super::air::AirOutline;
 use crate::Model;
-use netcast_scenario::scenario::Scenario;
 
 /// Ropes of one name in the air; those of a screen apart from others.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use netcast_dynamics::forces::ground::{Footing, Ground, Hull, Spring};
+use netcast_scenario::quantity::Length;
+use netcast_scenario::{Diagnostics, Shape};
 
 use super::draft::Draft;
-use netcast_scenario::body::Shape;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::quantity::Length;
 
 /// The highest muzzle above the ground for which there are profiles of the wind, m.
 const HIGHEST_MUZZLE: f64 = 2000.0;

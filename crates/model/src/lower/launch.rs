@@ -4,14 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::{DMat3, DVec3};
 use netcast_dynamics::launcher::{Curve, Push};
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Launch, Scenario, Tube};
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
 use super::scatter::Chance;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::launch::{Launch, Tube};
-use netcast_scenario::scenario::Scenario;
 
 /// How one tractor is thrown: as the scenario says, and as chance has it.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,7 +138,7 @@ pub fn throws(draft: &mut Draft) -> Result<(), Diagnostics> {
 /// What a launch asks for that cannot be had together.
 fn contradictions(document: &Document, scenario: &Scenario) -> Vec<Diagnostic> {
     let Some(launch) = &scenario.launch else { return Vec::new() };
-    let own = |key: &str, is_given: fn(&netcast_scenario::tractor::TractorOverride) -> bool| {
+    let own = |key: &str, is_given: fn(&netcast_scenario::TractorOverride) -> bool| {
         let tractors = scenario.tractors.iter().enumerate().filter(|(_, tractor)| is_given(tractor));
         tractors.map(|(index, _)| format!("tractors.{index}.{key}")).collect::<Vec<_>>()
     };

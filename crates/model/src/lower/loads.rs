@@ -2,15 +2,12 @@
 
 use glam::DVec3;
 use netcast_dynamics::forces::load::Load;
+use netcast_scenario::path::Path;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Load as WrittenLoad, nearest};
 
 use super::draft::Draft;
 use super::material::{Group, Member};
 use super::selection::resolve;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::load;
-use netcast_scenario::nearest::nearest;
-use netcast_scenario::path::Path;
 
 /// Adds the loads, by name and then by node. A force per length of rope goes to the ends of each segment, half to either.
 pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
@@ -20,7 +17,7 @@ pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
         let path = Path::default().key("load").key(name);
         let ramp = load.ramp.map_or(0.0, |ramp| ramp.si());
         let forces = match load {
-            load::Load { force_per_length: Some(force), class: Some(class), .. } => {
+            WrittenLoad { force_per_length: Some(force), class: Some(class), .. } => {
                 along_ropes(DVec3::from(force.map(|f| f.si())), class, members, groups, cut.nodes.len())
                     .ok_or_else(|| unknown_class(document, &path, class, groups).into())
             }

@@ -7,16 +7,12 @@ use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
 use netcast_dynamics::system::Segment;
+use netcast_scenario::{Canopy, Damping, Diagnostics, Rope, RopeRow, Scenario};
 use netcast_webs::{Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
 
 use super::assignment::{self, rings};
 use super::draft::Draft;
 use super::{canopy_links, rope_law};
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::graph_files::RopeRow;
-use netcast_scenario::rope::{Damping, Rope};
-use netcast_scenario::scenario::Scenario;
 
 /// A segment of the system and what it is a part of.
 #[derive(Debug, Clone, Copy)]
@@ -107,7 +103,7 @@ pub struct PlacedBody {
     /// Its node.
     pub node: usize,
     /// Its size and mass.
-    pub solid: netcast_scenario::body::Solid,
+    pub solid: netcast_scenario::Solid,
     /// The system's rigid body that it is; none for a mass on a node.
     pub rigid: Option<usize>,
 }

@@ -1,7 +1,10 @@
 //! From what the user wrote to what is simulated: a [`Document`](netcast_scenario::Document) becomes a
-//! [`Model`](crate::Model), stage by stage. [`STAGES`] has their order and what each of them needs.
+//! [`Model`](crate::Model), stage by stage. `STAGES` has their order and what each of them needs.
 //!
 //! Everything that does not fit is reported at the place in the file that says so.
+
+use Stage::*;
+use netcast_scenario::Diagnostics;
 
 mod air;
 mod assignment;
@@ -43,8 +46,6 @@ pub use material::{Group, Link, PlacedBody, Role};
 pub use packing::Packing;
 pub use stowing::node_id;
 
-use netcast_scenario::diagnostic::Diagnostics;
-
 /// A step on the way to a model, once the web is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stage {
@@ -81,8 +82,6 @@ pub(crate) enum Stage {
 /// What a stage does: adds to the draft, or says what does not fit.
 type Make = fn(&mut Draft) -> Result<(), Diagnostics>;
 
-use Stage::*;
-
 /// The stages in their order, each with those that it cannot do without. A stage that reads what another may have left
 /// incomplete, and makes do with it, does not need that.
 pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
@@ -117,9 +116,9 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // whether the packing stretches anything
     (Audit, &[Masses, Stowing], stowing::audit),
     // all of that as the parts of a system
-    (Assembly, &[Masses, Stowing, Throws, Held], system::assemble),
+    (Assembly, &[Masses, Stowing], system::assemble),
     // tractors that ropes can turn; adds nodes
-    (RigidBodies, &[Assembly], bodies::make_rigid),
+    (RigidBodies, &[Assembly, Throws, Held], bodies::make_rigid),
     // what is driven is held, a rigid body at its centre
     (Hold, &[Assembly, Drives], drives::take_hold),
     // what acts on a tractor acts on its centre
@@ -135,7 +134,7 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // what drags at all of it, and buoys it up
     (Air, &[RigidBodies], air::surround),
     // the parts, checked against each other
-    (System, &[Bends, Loads, Hold, Covers, Ties, Ground, Air, Audit, Bill], system::build),
+    (System, &[Bends, Loads, Held, Hold, Covers, Ties, Ground, Air, Audit, Bill], system::build),
     // how large a step may be, and whether the run will end
     (Steps, &[System], stepping::choose),
     // whether there is an equilibrium, where one is looked for

@@ -4,7 +4,7 @@ use glam::DVec3;
 use netcast_dynamics::air::wind::Wind;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::System;
-use netcast_scenario::diagnostic::Diagnostics;
+use netcast_scenario::Diagnostics;
 
 use super::draft::Draft;
 use super::exposure;

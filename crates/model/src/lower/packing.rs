@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
+use netcast_scenario::Rope;
 use netcast_webs::{Class, Closeness, PACKED_FILL, Size, closeness};
 
 use crate::Model;
-use netcast_scenario::rope::Rope;
 
 /// What the start is like beyond its audit.
 #[derive(Debug, Clone, Copy, PartialEq)]

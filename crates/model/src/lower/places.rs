@@ -1,8 +1,7 @@
 //! Where in a scenario the number stands that an error of another crate is about.
 
 use netcast_dynamics::forces::element::{ElementError, Property};
-use netcast_scenario::stow::Stow;
-use netcast_scenario::web::Web;
+use netcast_scenario::{Stow, Web};
 use netcast_webs::{PackingField, WebField};
 
 /// The key of a number that the web is drawn by.

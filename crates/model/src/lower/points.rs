@@ -1,7 +1,6 @@
 //! `[points]`: names for places of the web.
 
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::is_plain;
+use netcast_scenario::{Diagnostics, is_plain};
 
 use super::draft::Draft;
 

@@ -1,16 +1,14 @@
 //! A web that is led into its container: what is led, along which paths.
 
 use glam::DVec3;
+use netcast_scenario::dimension::Dimension;
+use netcast_scenario::interval::{PackingTime, Within};
+use netcast_scenario::path::Path;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, PrescribedStow};
 use netcast_webs::{CutWeb, Led, Prescribed, StiffPlate};
 
 use super::drives::Drives;
 use super::stowing::mouth;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::dimension::Dimension;
-use netcast_scenario::document::Document;
-use netcast_scenario::interval::{PackingTime, Within};
-use netcast_scenario::path::Path;
-use netcast_scenario::stow::PrescribedStow;
 
 /// The packing of a web whose nodes have `mass`, kg, and whose canopies keep their shape as `plates`.
 pub fn prescribed(

@@ -5,13 +5,12 @@ use glam::DVec3;
 use netcast_dynamics::launcher::{Launcher, Means, Tube};
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::SystemParts;
+use netcast_scenario::{Diagnostics, Scenario};
 use netcast_webs::Sector;
 
 use super::draft::Draft;
 use super::launch::{Throw, Thrown};
 use super::selection::unknown_knot;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::scenario::Scenario;
 
 /// Sets the tractors in motion, now or by launchers later, and turns all that spins.
 pub fn launch(draft: &mut Draft) -> Result<(), Diagnostics> {

@@ -7,13 +7,10 @@ use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::tabulated::{TableError, Tabulated};
 use netcast_dynamics::forces::viscoelastic::Viscoelastic;
+use netcast_scenario::path::Path;
+use netcast_scenario::{BilinearLaw, Diagnostics, Document, Rope, RopeLaw, ViscoelasticLaw};
 
 use super::material::section;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::path::Path;
-use netcast_scenario::rope::Rope;
-use netcast_scenario::rope_law::{BilinearLaw, RopeLaw, ViscoelasticLaw};
 
 /// The law of the rope whose table is at `path`.
 ///

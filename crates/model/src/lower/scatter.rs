@@ -3,11 +3,10 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
+use netcast_scenario::Scatter;
 use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-
-use netcast_scenario::launch::Scatter;
 
 /// What chance adds to one tractor's launch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

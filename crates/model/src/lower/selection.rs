@@ -1,13 +1,10 @@
 //! Which nodes a load or a drive acts on, are tied, or stay put.
 
+use netcast_scenario::path::Path;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Selection, nearest};
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::nearest::nearest;
-use netcast_scenario::path::Path;
-use netcast_scenario::selection::Selection;
 
 /// The nodes that are meant, each once, ascending. What is named wrongly stands below `path`.
 pub fn resolve(

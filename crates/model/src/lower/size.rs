@@ -3,15 +3,10 @@
 //! The figures per item are peaks of whole runs, measured with some to spare. A test of the command holds them to runs
 //! that may take no more than this.
 
+use netcast_scenario::{Canopy, Diagnostics, Document, GraphFiles, Scenario, available_memory, bytes_in_words};
 use netcast_webs::{MOST_SEGMENTS, Web};
 
 use super::stepping::MOST_ROWS;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::graph_files::GraphFiles;
-use netcast_scenario::memory::{available, in_words};
-use netcast_scenario::scenario::Scenario;
 
 /// Bytes of a run for each knot with its name, each rope with its label, and each segment with its node.
 const KNOT: f64 = 500.0;
@@ -88,7 +83,7 @@ impl Size {
     /// with its own bounds.
     pub(super) fn require(&self, document: &Document, path: &str, help: &str) -> Result<(), Diagnostics> {
         let Self { knots, ropes, segments, triangles, rows, frames } = self;
-        let (needed, Some(available)) = (self.bytes(), available()) else { return Ok(()) };
+        let (needed, Some(available)) = (self.bytes(), available_memory()) else { return Ok(()) };
         if needed <= available || *segments > MOST_SEGMENTS as f64 || *rows > MOST_ROWS {
             return Ok(());
         }
@@ -97,8 +92,8 @@ impl Size {
         let message = format!(
             "{segments:.0} segments in {ropes:.0} ropes between {knots:.0} knots{sheets}{recorded} take about {} of memory, and \
              this machine has {} to give",
-            in_words(needed),
-            in_words(available),
+            bytes_in_words(needed),
+            bytes_in_words(available),
         );
         Err(document.diagnostic(path, message).with_help(help).into())
     }

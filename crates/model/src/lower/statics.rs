@@ -1,7 +1,7 @@
 //! Whether a web has an equilibrium, where one is looked for.
 
 use netcast_dynamics::statics::{Unsupported, unsupported};
-use netcast_scenario::diagnostic::Diagnostics;
+use netcast_scenario::Diagnostics;
 
 use super::draft::Draft;
 

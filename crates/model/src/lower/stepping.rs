@@ -2,16 +2,13 @@
 
 use netcast_dynamics::system::{Segment, System};
 use netcast_dynamics::time::step_size::{StepLimit, Stiff};
+use netcast_scenario::quantity::Number;
+use netcast_scenario::{Diagnostics, Document, Scenario, Solve};
 use netcast_webs::{Class, CutWeb};
 
 use super::draft::Draft;
 use super::drawing::two_digits;
 use super::material::{Group, Member};
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::document::Document;
-use netcast_scenario::quantity::Number;
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::solve::Solve;
 
 use crate::Model;
 

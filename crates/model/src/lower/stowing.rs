@@ -4,6 +4,12 @@ use glam::{DMat3, DVec3};
 use netcast_dynamics::forces::element::Element;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::membrane::Membrane;
+use netcast_scenario::interval::Positive;
+use netcast_scenario::quantity::Length;
+use netcast_scenario::{
+    Along, Canopy, Container as Room, Diagnostic, Diagnostics, Document, PrescribedStow, Stow, StowRow, Stowage,
+    nearest,
+};
 use netcast_webs::{
     Audit, Bag, Container, CutWeb, Folded, Folding, Given, Imperfection, Mouth, Pattern, Scale, Settled, StiffPlate,
     StowedSegment, audit as look_over,
@@ -14,14 +20,6 @@ use super::canopies::{Canopies, CutSheet};
 use super::draft::Draft;
 use super::places;
 use super::prescribed::prescribed;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::interval::Positive;
-use netcast_scenario::nearest::nearest;
-use netcast_scenario::quantity::Length;
-use netcast_scenario::stow::StowRow;
-use netcast_scenario::stow::{Along, Container as Room, PrescribedStow, Stow, Stowage};
 
 /// Where everything is at launch, in the launch frame.
 struct Stowed {

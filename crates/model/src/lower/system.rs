@@ -6,8 +6,7 @@ use netcast_dynamics::forces::law::RopeState;
 use netcast_dynamics::forces::orbit::{self, Orbit};
 use netcast_dynamics::system::{Environment, SystemError};
 use netcast_dynamics::time::step_size::step_limit;
-use netcast_scenario::diagnostic::Diagnostics;
-use netcast_scenario::orbit::Orbit as WrittenOrbit;
+use netcast_scenario::{Diagnostics, Orbit as WrittenOrbit};
 use netcast_webs::Audit;
 
 use super::assignment::table_of;

@@ -11,19 +11,16 @@ use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, SystemParts};
+use netcast_scenario::interval::Positive;
+use netcast_scenario::path::Path;
+use netcast_scenario::quantity::{Force, Length, Number};
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Stitching};
 use netcast_webs::{Class, CutWeb};
 
 use super::draft::Draft;
 use super::loads::unknown_class;
 use super::material::{Group, Member, Part};
 use super::selection::{resolve, unknown_knot};
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::interval::Positive;
-use netcast_scenario::path::Path;
-use netcast_scenario::quantity::{Force, Length, Number};
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::tie::Stitching;
 
 /// The least length of a thread that is as long as what it spans, m.
 const SHORTEST: f64 = 0.01;

@@ -3,15 +3,13 @@
 use glam::DVec3;
 use netcast_dynamics::air::turbulence::{self, Spectrum};
 use netcast_dynamics::air::wind::{Series, Wind, gust, logarithmic, power_law};
+use netcast_scenario::{
+    Diagnostic, Diagnostics, Document, Gust, LogarithmicProfile, PowerProfile, Scenario, Turbulence,
+    Wind as WrittenWind, WindRow,
+};
 use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-
-use netcast_scenario::diagnostic::{Diagnostic, Diagnostics};
-use netcast_scenario::document::Document;
-use netcast_scenario::scenario::Scenario;
-use netcast_scenario::wind::WindRow;
-use netcast_scenario::wind::{self, Gust, LogarithmicProfile, PowerProfile, Turbulence};
 
 /// The longest run for which turbulence is made, s: it is a table, which takes time and room.
 const LONGEST: f64 = 600.0;
@@ -74,7 +72,7 @@ fn towards(azimuth: f64) -> DVec3 {
     DVec3::new(cos, sin, 0.0)
 }
 
-fn gust_of(wind: &wind::Wind, asked: &Gust) -> Series<DVec3> {
+fn gust_of(wind: &WrittenWind, asked: &Gust) -> Series<DVec3> {
     let direction = towards(asked.azimuth.or(wind.azimuth).map_or(0.0, |azimuth| azimuth.si()));
     let duration = asked.duration.si();
     let spacing = (duration / GUST_ENTRIES).max(f64::MIN_POSITIVE);
