@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use netcast::results::{Fields, History, Summary, folder, read_fields};
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast::{Case, Document, Model};
 use tempfile::TempDir;
 

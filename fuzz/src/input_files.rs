@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use netcast_scenario::diagnostic::Source;
 use netcast_scenario::interval::{Any, Positive};
-use netcast_scenario::lower::Model;
+use netcast_model::Model;
 use netcast_scenario::path::Path as KeyPath;
 use netcast_scenario::quantity::{Angle, Length, Number, Pressure, Quantity, Rate};
 use netcast_scenario::tree::{Tree, Value};
-use netcast_scenario::{Diagnostics, Document, dimension, interval, resolved_toml};
+use netcast_scenario::{Diagnostics, Document, Source, dimension, interval, resolved_toml};
 use tempfile::TempDir;
 
 use crate::refusal::check_diagnostics;

@@ -1,9 +1,6 @@
 //! Which scenarios are small enough to be drawn for every input: a fuzzer tries thousands a second.
 
-use netcast_scenario::Document;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::stow::Stow;
-use netcast_scenario::web::Web;
+use netcast_scenario::{Canopy, Document, Stow, Web};
 
 /// Most cells along a side, and most segments along the web's size.
 const MOST_CELLS: f64 = 12.0;
@@ -40,7 +37,7 @@ pub fn is_small(document: &Document) -> bool {
             (2.0 * net.mesh.si() * cells, cells, 1)
         }
         Web::Graph(_) => {
-            let files = document.graph.as_ref().expect("a document of a graph has read its files");
+            let files = document.files.graph.as_ref().expect("a document of a graph has read its files");
             let largest =
                 files.nodes.iter().flat_map(|node| node.position_m).fold(0.0, |most: f64, x| most.max(x.abs()));
             let rests = files.ropes.iter().filter_map(|rope| rope.rest_length_m).fold(0.0, f64::max);
@@ -55,7 +52,7 @@ pub fn is_small(document: &Document) -> bool {
     let is_packed_soon = match scenario.stow.as_ref().map(|stowage| &stowage.pattern) {
         Some(Stow::Prescribed(led)) => {
             let listed = led.drive.values().flat_map(|drive| drive.path.iter().flatten());
-            let rows = document.stow_paths.values().flatten().map(|row| row.time_s);
+            let rows = document.files.stow_paths.values().flatten().map(|row| row.time_s);
             let times = listed.map(|point| point.time.si()).chain(rows);
             times.fold(led.time.si().max(led.longest.si()), f64::max) <= LONGEST_PACKING
         }

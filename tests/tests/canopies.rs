@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_3;
 
 use glam::{DMat3, DVec3};
 use netcast::dynamics::time::step::Stepper;
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast::{Document, Model};
 use netcast_tests::Run;
 

@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use netcast::Document;
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast_tests::{Run, assert_close};
 
 const GRAVITY: f64 = 9.80665;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use netcast::dynamics::simulate::{Frame, Live, Observer, simulate};
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast::{Case, Document, Model};
 use netcast_tests::{Run, assert_close};
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use netcast::report::write_report;
 use netcast::results::{Checkpoint, CheckpointEvery, History, folder, read_fields, recover};
 use netcast::scenario::Document;
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast::{Case, RunOptions};
 use tempfile::TempDir;
 

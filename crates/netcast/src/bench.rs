@@ -12,8 +12,8 @@ use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::{Segment, System, SystemParts};
 use netcast_dynamics::time::step::{LEAST_SLOTS_FOR_THREADS, Stepper, Vectors};
+use netcast_model::Model;
 use netcast_scenario::Diagnostics;
-use netcast_scenario::lower::Model;
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use netcast_scenario::path::{Path as KeyPath, Step};
-use netcast_scenario::{Diagnostic, Diagnostics, Document, Files, Source};
+use netcast_scenario::{Diagnostic, Diagnostics, Document, FileSource, Source};
 use toml::{Table, Value};
 
 use crate::case::{Case, IN_CODE};
@@ -198,7 +198,7 @@ impl CaseBuilder {
     pub fn build(self) -> Result<Case, Diagnostics> {
         Diagnostics::fail_if_any(self.found.clone())?;
         let source = Source { name: IN_CODE.to_owned(), text: self.to_toml() };
-        let mut files = Files::in_folder(&self.folder);
+        let mut files = FileSource::in_folder(&self.folder);
         self.files.into_iter().for_each(|(name, text)| files.give(name, text));
         Case::of(Document::parse_with(source, files, &self.overrides)?)
     }

@@ -8,8 +8,8 @@ use netcast_dynamics::custom::CustomEffect;
 use netcast_dynamics::simulate::Schedule;
 use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::SystemError;
+use netcast_model::Model;
 use netcast_results::Landmarks;
-use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Source, resolved_toml};
 
 use crate::inputs::Inputs;

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use netcast_model::Model;
 use netcast_results::{ResultError, folder, hash, hash_files};
-use netcast_scenario::lower::Model;
 use netcast_scenario::tree::Tree;
 use netcast_scenario::{Document, resolved_toml};
 
@@ -23,18 +23,17 @@ pub(crate) struct Inputs(BTreeMap<String, Vec<u8>>);
 impl Inputs {
     /// Of a document, with all defaults written out, and its files each under a name of its own.
     pub fn new(document: &Document, model: &Model) -> Result<Self, ResultError> {
-        let mut scenario = model.scenario.clone();
         let mut contents = BTreeMap::from([(SCENARIO.to_owned(), Vec::new())]);
-        for file in scenario.files_mut() {
-            let files = &document.written.files;
+        let files = &document.written.files;
+        let scenario = model.scenario.with_files(|file| {
             let mut name = file.file_name().map_or_else(|| "file".into(), |n| n.to_string_lossy().into_owned());
             while contents.contains_key(&name) {
                 name.insert(0, '_');
             }
             let bytes = files.bytes(file).map_err(ResultError::read(&files.path(file)))?;
             contents.insert(name.clone(), bytes);
-            *file = name.into();
-        }
+            Ok::<_, ResultError>(name)
+        })?;
         let resolved = document.library.comments() + &resolved_toml(&scenario);
         contents.insert(SCENARIO.to_owned(), resolved.into_bytes());
         Ok(Self(contents))

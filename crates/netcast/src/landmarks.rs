@@ -1,10 +1,9 @@
 //! Which nodes and segments of a model are measured, under which names.
 
 use glam::DVec3;
+use netcast_model::{Model, PlacedBody, Role};
 use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
-use netcast_scenario::body::Shape;
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::lower::{Model, PlacedBody, Role};
+use netcast_scenario::{Canopy, Shape};
 
 /// The landmarks of a model.
 pub fn landmarks(model: &Model) -> Landmarks {

@@ -1,8 +1,8 @@
 //! How the tractors of a run were launched.
 
 use netcast_dynamics::simulate::Outcome;
+use netcast_model::{Model, Throw};
 use netcast_results::summary::{Departure, Departures, Recoil};
-use netcast_scenario::lower::{Model, Throw};
 
 /// The launch of a run that came out so; none where nothing is launched.
 pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Departures> {

@@ -130,8 +130,8 @@
 //! # Below
 //!
 //! Each stage is a crate of its own, re-exported here: [`webs`] is what is made, [`scenario`] what the user writes,
-//! [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at. ARCHITECTURE.md has the
-//! picture.
+//! [`model`] what that means, [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at.
+//! ARCHITECTURE.md has the picture.
 
 pub mod bench;
 mod builder;
@@ -156,6 +156,7 @@ mod values;
 mod verdict;
 
 pub use netcast_dynamics as dynamics;
+pub use netcast_model as model;
 pub use netcast_report as report;
 pub use netcast_results as results;
 pub use netcast_scenario as scenario;
@@ -168,7 +169,7 @@ pub use error::RunError;
 pub use facts::Facts;
 pub use memory::{Run, RunFrame};
 pub use net::{Link, Node};
-pub use netcast_scenario::lower::Model;
+pub use netcast_model::Model;
 pub use netcast_scenario::{Diagnostics, Document, Scenario};
 pub use progress::Progress;
 pub use publish::Ran;

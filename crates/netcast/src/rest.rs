@@ -2,8 +2,8 @@
 
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax};
+use netcast_model::Model;
 use netcast_results::summary::Equilibrium;
-use netcast_scenario::lower::Model;
 
 use crate::progress::{Interrupted, Progress, Tell};
 

@@ -7,9 +7,9 @@ use netcast_dynamics::limits::Limits;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome, Schedule, resume, simulate};
 use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::state::State;
+use netcast_model::Model;
 use netcast_results::{Checkpoint, CheckpointEvery, Recorder, ResultError, Series, Summary};
-use netcast_scenario::lower::Model;
-use netcast_scenario::solve::{OnEnergyError, Solve};
+use netcast_scenario::{OnEnergyError, Solve};
 
 use crate::case::Case;
 use crate::progress::{Interrupted, Progress, Tell};

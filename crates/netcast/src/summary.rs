@@ -2,9 +2,9 @@
 
 use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::simulate::Outcome;
+use netcast_model::Model;
 use netcast_results::Summary;
 use netcast_results::summary::{AirMet, BrokenSegment, ModelSize, StepSize, StowedState, Tension};
-use netcast_scenario::lower::Model;
 
 use crate::launched::launched;
 use crate::rest::Rest;

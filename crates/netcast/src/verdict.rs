@@ -2,8 +2,8 @@
 
 use netcast_dynamics::limits::{Excess, Term};
 use netcast_dynamics::simulate::{Place, StepError};
-use netcast_scenario::lower::Model;
-use netcast_scenario::solve::OnEnergyError;
+use netcast_model::Model;
+use netcast_scenario::OnEnergyError;
 
 use crate::simulate::Ended;
 

@@ -165,7 +165,7 @@ fn all_that_is_said_of_a_node_or_a_rope_arrives() {
     let rope = Link::between("a", far).rope("thick").class("mine").rest_length(1.5).pretension(2.5).segments(3);
     let case = Case::new(Web::graph(nodes, [rope])).rope(Rope::new(0.002, 1000.0, 1e9)).duration(0.01);
     let case = case.other_rope("thick", Rope::new(0.004, 1000.0, 1e9)).build().unwrap();
-    let graph = case.document().graph.as_ref().unwrap();
+    let graph = case.document().files.graph.as_ref().unwrap();
     let (a, b, rope) = (&graph.nodes[0], &graph.nodes[1], &graph.ropes[0]);
     assert_eq!((&a.id[..], a.position_m, a.mass_kg), ("a", [0.1, -2.0, 1e-7], 3.0));
     assert_eq!((a.velocity_m_s, a.fixed, &b.id[..], b.fixed), ([4.0, 5.0, 6.0], false, far, true));

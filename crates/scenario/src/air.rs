@@ -9,6 +9,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::interval::{NonNegative, OpenShare, Positive, Troposphere};
 use crate::quantity::{Density, Length, Number, Viscosity};
 
+/// Drag coefficient of a plate square to the wind, as that of a sheet in `netcast-dynamics`.
+const PLATE: f64 = 1.17;
+
 /// `[environment.air]`: the standard atmosphere, or a medium of one `density` and `viscosity`, water too. As it is: that
 /// atmosphere at sea level, and every drag with its default.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -49,7 +52,7 @@ impl Default for Air {
             viscosity: None,
             normal_coefficient: None,
             tangential_coefficient: Number::constant(0.02),
-            sheet_coefficient: Number::constant(netcast_dynamics::forces::sheet_drag::PLATE),
+            sheet_coefficient: Number::constant(PLATE),
             added_mass: Number::constant(0.0),
             buoyancy: None,
             solidity: None,

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::path::Path;
 use crate::rules::table_at;
+use crate::schema::keys_at;
 use crate::written::Written;
 
 /// Everything in the medium and the wind that does not fit the rest of it.
@@ -41,8 +42,8 @@ fn a_wind_blows_in_air(written: &Written, found: &mut Vec<Diagnostic>) {
 fn a_measured_wind_is_all_there_is(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::parse("environment.wind");
     let Some(wind) = table_at(written, "environment.wind").filter(|wind| wind.get("series").is_some()) else { return };
-    for key in ["speed", "azimuth", "muzzle_height", "power", "logarithmic", "gust", "turbulence"] {
-        if wind.get(key).is_some() {
+    for key in keys_at("environment.wind") {
+        if key != "series" && wind.get(key).is_some() {
             let message = format!("a measured wind is all there is: expected only one of `series` and `{key}`");
             found.push(written.at_key(&path.key(key), message));
         }

@@ -1,6 +1,6 @@
 //! A CSV file with a header: its columns checked, its cells read, everything wrong collected with line numbers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -19,6 +19,7 @@ const COPIES: f64 = 12.0;
 
 /// A CSV file that a scenario names. Its rows are split when they are read: tables can be larger than all that is made
 /// of them.
+#[derive(Clone, Debug)]
 pub(crate) struct CsvTable {
     source: Arc<Source>,
     path: Path,
@@ -270,5 +271,55 @@ impl<'a> Cells<'a> {
             self.fault_in(column, format!("{column}: expected {expected}, found {text:?}"), None);
         }
         number
+    }
+    /// The place in the columns x, y, z.
+    pub(crate) fn position(&mut self) -> Option<[f64; 3]> {
+        let [x, y, z] = ["x", "y", "z"].map(|column| self.number(column));
+        Some([x?, y?, z?])
+    }
+}
+
+/// The ids of the nodes, each with its line and its place in the file.
+#[derive(Default)]
+pub(crate) struct Ids(BTreeMap<String, (usize, usize)>);
+
+impl Ids {
+    /// Whether there is none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Whether a node has this id.
+    pub(crate) fn has(&self, id: &str) -> bool {
+        self.0.contains_key(id)
+    }
+
+    /// The id of a row, unless another row has it.
+    pub(crate) fn take(&mut self, cells: &mut Cells) -> Option<String> {
+        let id = cells.text("id", "a name")?.to_string();
+        if let Some((line, _)) = self.0.get(&id) {
+            cells.fault_in("id", format!("node {id:?} stands in line {line} already"), None);
+            return None;
+        }
+        self.0.insert(id.clone(), (cells.line(), self.0.len()));
+        Some(id)
+    }
+
+    /// The place of the node that a row names in `column`.
+    pub(crate) fn find(&self, cells: &mut Cells, column: &str) -> Option<usize> {
+        let id = cells.text(column, "the id of a node")?;
+        match self.0.get(id) {
+            Some((_, place)) => Some(*place),
+            None => {
+                let help = if cells.is_told() { self.suggest(id) } else { None };
+                cells.fault_in(column, format!("{column}: unknown node {id:?}"), help);
+                None
+            }
+        }
+    }
+
+    /// The nearest id, as a help.
+    pub(crate) fn suggest(&self, id: &str) -> Option<String> {
+        nearest(id, self.0.keys()).map(|near| format!("did you mean {near:?}?"))
     }
 }

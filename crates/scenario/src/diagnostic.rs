@@ -63,7 +63,7 @@ impl Diagnostic {
     }
 
     /// Adds what to do about it, where there is something.
-    pub(crate) fn with_help_if(self, help: Option<String>) -> Self {
+    pub fn with_help_if(self, help: Option<String>) -> Self {
         Self { help, ..self }
     }
 

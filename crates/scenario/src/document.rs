@@ -1,14 +1,10 @@
 //! A scenario that was read and checked, with the files it names and the text it came from.
 
-use std::collections::BTreeMap;
 use std::path::Path as FilePath;
 
 use crate::check;
-use crate::csv_files::{
-    GraphFiles, PathRow, PushRow, RopeTables, StowRow, WindRow, read_graph, read_paths, read_push, read_rope_tables,
-    read_stow, read_wind,
-};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
+use crate::file_source::FileSource;
 use crate::files::Files;
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
@@ -29,20 +25,8 @@ pub struct Document {
     pub library: FromLibrary,
     /// As it is meant, with every default filled in.
     pub scenario: Scenario,
-    /// The files of `[web.graph]`.
-    pub graph: Option<GraphFiles>,
-    /// The file of `[stow.file]`.
-    pub stowed: Option<Vec<StowRow>>,
-    /// The files of `[rope.law.table]`.
-    pub rope_tables: RopeTables,
-    /// The file of the force in `[launch.tube]`.
-    pub push: Option<Vec<PushRow>>,
-    /// The files of `[drive.NAME]`, by name.
-    pub paths: BTreeMap<String, Vec<PathRow>>,
-    /// The files of `[stow.prescribed.drive.NAME]`, by name.
-    pub stow_paths: BTreeMap<String, Vec<PathRow>>,
-    /// The file of `[environment.wind.series]`.
-    pub wind: Option<Vec<WindRow>>,
+    /// What stands in the files that it names.
+    pub files: Files,
 }
 
 impl Document {
@@ -63,14 +47,14 @@ impl Document {
     /// # Errors
     /// Everything that is wrong with them, at once.
     pub fn parse(source: Source, folder: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
-        Self::parse_with(source, Files::in_folder(folder), overrides)
+        Self::parse_with(source, FileSource::in_folder(folder), overrides)
     }
 
     /// Reads a scenario from its text; the files it names are those of `files`.
     ///
     /// # Errors
     /// Everything that is wrong with them, at once.
-    pub fn parse_with(source: Source, files: Files, overrides: &[String]) -> Result<Self, Diagnostics> {
+    pub fn parse_with(source: Source, files: FileSource, overrides: &[String]) -> Result<Self, Diagnostics> {
         let (mut written, mut found) = match Written::parse(source, files, overrides) {
             Ok(parsed) => parsed,
             Err(faults) => return Err(Diagnostics::fail_if_any(faults).unwrap_err()),
@@ -78,18 +62,12 @@ impl Document {
         found.extend(check::check(&written));
         let library = library::fill(&mut written.tree);
         found.extend(rules::check(&written));
-        let graph = read_graph(&written, &mut found);
-        let stowed = read_stow(&written, &mut found);
-        let rope_tables = read_rope_tables(&written, &mut found);
-        let push = read_push(&written, &mut found);
-        let paths = read_paths(&written, "drive", &mut found);
-        let stow_paths = read_paths(&written, "stow.prescribed.drive", &mut found);
-        let wind = read_wind(&written, &mut found);
+        let files = Files::read(&written, &mut found);
         Diagnostics::fail_if_any(found)?;
         let mut scenario: Scenario = serde_path_to_error::deserialize(written.tree.root.value.to_toml())
             .map_err(|error| written.at_value(&Path::parse(&error.path().to_string()), error.inner().message()))?;
         scenario.complete();
-        Ok(Self { written, library, scenario, graph, stowed, rope_tables, push, paths, stow_paths, wind })
+        Ok(Self { written, library, scenario, files })
     }
 
     /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or

@@ -1,74 +1,143 @@
-//! The files that a scenario names: in a folder, or given by value.
+//! The files that a scenario names.
+//!
+//! A key that names a file bears `x-file` in the schema, by which its file is found and renamed; what its rows are and how
+//! they are read stands beside its section. [`Files`] lists what has been read.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::path::{Path as FilePath, PathBuf};
 
-use crate::text_file::read_text;
+use serde::Deserialize;
+use serde_json::{Map, Value as Json};
+use toml::Value as Toml;
 
-/// Where the files that a scenario names are found.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+use crate::diagnostic::Diagnostic;
+use crate::drive::{PathRow, read_paths};
+use crate::graph_files::{GraphFiles, read_graph};
+use crate::launch::{PushRow, read_push};
+use crate::rope_law::{LawFiles, read_law_files};
+use crate::scenario::Scenario;
+use crate::schema::{schema, variants};
+use crate::stow::{StowRow, read_stow};
+use crate::wind::{WindRow, read_wind};
+use crate::written::Written;
+
+/// What stands in the files that a scenario names.
+#[derive(Clone, Debug, Default)]
 pub struct Files {
-    /// The folder that relative paths start from.
-    folder: PathBuf,
-    /// The texts of files that are given by value, by the path that the scenario names.
-    given: BTreeMap<PathBuf, String>,
+    /// Of `[web.graph]`.
+    pub graph: Option<GraphFiles>,
+    /// Of `[stow.file]`.
+    pub stowed: Option<Vec<StowRow>>,
+    /// Of `[rope.law.table]`.
+    pub laws: LawFiles,
+    /// Of the force in `[launch.tube]`.
+    pub push: Option<Vec<PushRow>>,
+    /// Of `[drive.NAME]`, by name.
+    pub paths: BTreeMap<String, Vec<PathRow>>,
+    /// Of `[stow.prescribed.drive.NAME]`, by name.
+    pub stow_paths: BTreeMap<String, Vec<PathRow>>,
+    /// Of `[environment.wind.series]`.
+    pub wind: Option<Vec<WindRow>>,
 }
 
 impl Files {
-    /// Those in `folder`.
-    pub fn in_folder(folder: &Path) -> Self {
-        Self { folder: folder.to_path_buf(), given: BTreeMap::new() }
-    }
-
-    /// Gives the text of the file that the scenario names `name`, in place of one on the disk.
-    pub fn give(&mut self, name: impl Into<PathBuf>, text: String) {
-        self.given.insert(name.into(), text);
-    }
-
-    /// The path of a file, as messages name it.
-    pub fn path(&self, name: &Path) -> PathBuf {
-        if self.given.contains_key(name) { name.to_path_buf() } else { self.folder.join(name) }
-    }
-
-    /// The bytes of a file.
-    ///
-    /// # Errors
-    /// Where it is not given and cannot be read.
-    pub fn bytes(&self, name: &Path) -> io::Result<Vec<u8>> {
-        match self.given.get(name) {
-            Some(text) => Ok(text.clone().into_bytes()),
-            None => fs::read(self.path(name)),
+    /// Reads all of them; one that cannot be read is left out and told.
+    pub(crate) fn read(written: &Written, found: &mut Vec<Diagnostic>) -> Self {
+        Self {
+            graph: read_graph(written, found),
+            stowed: read_stow(written, found),
+            laws: read_law_files(written, found),
+            push: read_push(written, found),
+            paths: read_paths(written, "drive", found),
+            stow_paths: read_paths(written, "stow.prescribed.drive", found),
+            wind: read_wind(written, found),
         }
     }
+}
 
-    /// The text of a file; one on the disk may have `most` bytes.
+impl Scenario {
+    /// The files that the scenario names, relative to it.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        self.visit_files(&mut |file: &mut String| files.push(PathBuf::from(&*file)));
+        files
+    }
+
+    /// The same scenario, with its files under the names that `rename` gives them.
     ///
     /// # Errors
-    /// Why it cannot be read, in words.
-    pub(crate) fn text(&self, name: &Path, most: f64) -> Result<String, String> {
-        match self.given.get(name) {
-            Some(text) => Ok(text.clone()),
-            None => read_text(&self.path(name), most),
+    /// That of `rename`.
+    pub fn with_files<E>(&self, mut rename: impl FnMut(&FilePath) -> Result<String, E>) -> Result<Self, E> {
+        let mut failed = None;
+        let renamed = self.visit_files(&mut |file: &mut String| match rename(FilePath::new(file)) {
+            Ok(name) => *file = name,
+            Err(error) => failed = Some(error),
+        });
+        failed.map_or(Ok(renamed), Err)
+    }
+
+    /// The scenario after `visit` has seen, and may have changed, the name of each file.
+    fn visit_files(&self, visit: &mut dyn FnMut(&mut String)) -> Self {
+        let mut value = Toml::try_from(self).expect("scenario: keys are strings and values are those of TOML");
+        if let Some(root) = schema().as_object() {
+            visit_below(root, &mut value, visit);
         }
+        Self::deserialize(value).expect("a scenario that was written out reads back")
+    }
+}
+
+fn visit_below(schema: &Map<String, Json>, value: &mut Toml, visit: &mut dyn FnMut(&mut String)) {
+    let properties = schema.get("properties").and_then(Json::as_object);
+    let named = schema.get("additionalProperties").and_then(Json::as_object);
+    let kinds: BTreeMap<&str, &Map<String, Json>> = variants(schema).into_iter().flatten().collect();
+    match value {
+        Toml::String(file) if schema.contains_key("x-file") => visit(file),
+        Toml::Table(table) => {
+            for (key, value) in table.iter_mut() {
+                let known = properties.and_then(|known| known.get(key)?.as_object());
+                if let Some(below) = known.or_else(|| kinds.get(&key[..]).copied()).or(named) {
+                    visit_below(below, value, visit);
+                }
+            }
+        }
+        Toml::Array(elements) => {
+            if let Some(below) = schema.get("items").and_then(Json::as_object) {
+                elements.iter_mut().for_each(|value| visit_below(below, value, visit));
+            }
+        }
+        _ => {}
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::path::Path;
+
+    /// Each key that is described as a file, with whether it says so.
+    fn described(schema: &Map<String, Json>, path: &Path, found: &mut Vec<(String, bool)>) {
+        let is_file = |content: &Map<String, Json>| {
+            content.get("description").and_then(Json::as_str).is_some_and(|text| text.starts_with("CSV file"))
+        };
+        if is_file(schema) {
+            found.push((path.to_string(), schema.contains_key("x-file")));
+        }
+        let properties = schema.get("properties").and_then(Json::as_object).into_iter().flatten();
+        for (key, content) in properties.filter_map(|(key, content)| Some((key, content.as_object()?))) {
+            described(content, &path.key(key), found);
+        }
+        for (key, content) in variants(schema).into_iter().flatten() {
+            described(content, &path.key(key), found);
+        }
+        if let Some(named) = schema.get("additionalProperties").and_then(Json::as_object) {
+            described(named, &path.key("NAME"), found);
+        }
+    }
 
     #[test]
-    fn a_file_given_by_value_stands_for_the_one_on_the_disk() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("nodes.csv"), "on the disk").unwrap();
-        let mut files = Files::in_folder(folder.path());
-        let read = |files: &Files| files.text("nodes.csv".as_ref(), 100.0).unwrap();
-        assert_eq!(read(&files), "on the disk");
-        files.give("nodes.csv", "given".to_owned());
-        assert_eq!(read(&files), "given");
-        assert_eq!(files.bytes("nodes.csv".as_ref()).unwrap(), b"given");
-        assert_eq!(files.path("nodes.csv".as_ref()), Path::new("nodes.csv"));
-        assert!(files.bytes("ropes.csv".as_ref()).is_err());
+    fn every_key_that_names_a_file_says_so() {
+        let mut found = Vec::new();
+        described(schema().as_object().unwrap(), &Path::default(), &mut found);
+        assert!(found.len() >= 9 && found.iter().all(|(_, says_so)| *says_so), "{found:#?}");
     }
 }

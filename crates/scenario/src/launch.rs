@@ -6,9 +6,12 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::csv_table::CsvTable;
+use crate::diagnostic::Diagnostic;
 use crate::interval::{NonNegative, Positive, QuarterTurns};
 use crate::quantity::{Angle, AngularSpeed, Force, Length, Number, Speed, Time};
 use crate::tractor::TractorOverride;
+use crate::written::Written;
 
 /// `[launch]`. Left out: nothing is launched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,6 +80,7 @@ pub struct StrokeForce {
     /// The force at each of them, N.
     pub force: Option<Vec<Force<NonNegative>>>,
     /// CSV file: columns stroke, in m, and force, in N. Relative to the scenario.
+    #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
 }
 
@@ -94,6 +98,7 @@ pub struct TimeForce {
     /// The force at each of them, N.
     pub force: Option<Vec<Force<NonNegative>>>,
     /// CSV file: columns time, in s, and force, in N. Relative to the scenario.
+    #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
 }
 
@@ -148,11 +153,39 @@ impl Launch {
             ..self.clone()
         }
     }
+}
 
-    /// The file of its tube's force.
-    pub(crate) fn file_mut(&mut self) -> Option<&mut PathBuf> {
-        let tube = self.tube.as_mut()?;
-        let over_stroke = tube.force_over_stroke.as_mut().and_then(|force| force.file.as_mut());
-        over_stroke.or_else(|| tube.force_over_time.as_mut().and_then(|force| force.file.as_mut()))
-    }
+/// A row of the file of a force in `[launch.tube]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PushRow {
+    /// Way in the tube, m, or time since firing, s.
+    pub at: f64,
+    /// Force, N.
+    pub force_n: f64,
+}
+
+/// Reads the file of the force in `[launch.tube]`; none where it has none or the file cannot be read.
+pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<PushRow>> {
+    let named = [("force_over_stroke", "stroke"), ("force_over_time", "time")];
+    let mut read = |(key, column): (&str, &str)| {
+        let path = format!("launch.tube.{key}.file");
+        let mut table = CsvTable::read(written, &path, &[column, "force"], &[], found)?;
+        if table.is_empty() {
+            found.push(table.whole("no points"));
+        }
+        let mut last = None;
+        Some(table.rows(found, |cells| {
+            let (at, force) = (cells.number(column), cells.number("force"));
+            let row = PushRow { at: at?, force_n: force? };
+            if row.at < 0.0 || last.is_some_and(|last| row.at <= last) {
+                cells.fault_in(column, format!("{column}: expected more than in the line before, from 0 on"), None);
+            }
+            if row.force_n < 0.0 {
+                cells.fault_in("force", "force: a launcher pushes, and does not pull".into(), None);
+            }
+            last = Some(row.at);
+            Some(row)
+        }))
+    };
+    named.into_iter().find_map(&mut read)
 }

@@ -5,59 +5,94 @@
 //!                   └──────serde─────────▶ Scenario
 //! ```
 //!
-//! [`Document::read`] does all of it. The types in [`scenario`] are the single source: the JSON Schema is derived from
+//! [`Document::read`] does all of it. [`Scenario`] and its types are the single source: the JSON Schema is derived from
 //! them, and the check walks that schema. Their documentation is what editors show.
 
-pub mod air;
+mod air;
 mod air_rules;
-pub mod body;
-pub mod canopy;
+mod body;
+mod canopy;
 mod check;
-pub mod cover;
-pub mod csv_files;
+mod cover;
 mod csv_table;
-pub mod diagnostic;
+mod diagnostic;
 pub mod dimension;
-pub mod document;
-pub mod drive;
-pub mod environment;
+mod document;
+mod drive;
+mod environment;
+mod file_source;
 mod files;
-pub mod ground;
-pub mod hold;
+mod graph_files;
+mod ground;
+mod hold;
 pub mod init;
 pub mod interval;
 mod later;
-pub mod launch;
+mod launch;
 pub mod library;
-pub mod load;
-pub mod lower;
-pub mod measure;
+mod load;
+mod measure;
 mod memory;
-pub mod nearest;
-pub mod orbit;
+mod nearest;
+mod orbit;
 mod overrides;
 pub mod path;
 pub mod quantity;
-pub mod record;
-pub mod rope;
-pub mod rope_law;
+mod record;
+mod rope;
+mod rope_law;
 mod rules;
-pub mod scenario;
+mod scenario;
 pub mod schema;
-pub mod solve;
-pub mod stow;
+mod selection;
+mod solve;
+mod stow;
 mod text_file;
-pub mod tie;
-pub mod tractor;
+mod tie;
+mod tractor;
 pub mod tree;
 mod unit_table;
-pub mod units;
-pub mod web;
-pub mod wind;
-pub mod written;
+mod units;
+mod web;
+mod wind;
+mod written;
 
+pub use air::{Air, Solidity};
+pub use body::{Body, Cuboid, Cylinder, Particle, Shape, Solid, Sphere};
+pub use canopy::{Canopy, CanopyLinks, CanopyMembrane, CanopyRigid, SheetBending};
+pub use cover::Cover;
 pub use diagnostic::{Diagnostic, Diagnostics, Location, Place, Source};
 pub use document::Document;
+pub use drive::{Drive, PathRow, Waypoint, misplaced};
+pub use environment::Environment;
+pub use file_source::FileSource;
 pub use files::Files;
+pub use graph_files::{GraphFiles, NodeRow, RopeRow};
+pub use ground::Ground;
+pub use hold::Hold;
+pub use launch::{Attitude, Launch, PushRow, Scatter, StrokeForce, TimeForce, Tube};
+pub use load::Load;
+pub use measure::Measure;
+pub use memory::{available as available_memory, in_words as bytes_in_words};
+pub use nearest::nearest;
+pub use orbit::Orbit;
+pub use record::Record;
+pub use rope::{Damping, Rope};
+pub use rope_law::{
+    BilinearLaw, LawFile, LawFiles, LinearLaw, RopeBreaking, RopeLaw, StrutLaw, TableLaw, ViscoelasticLaw,
+};
+pub use rules::is_plain;
 pub use scenario::{Scenario, resolved_toml};
 pub use schema::schema;
+pub use selection::Selection;
+pub use solve::{OnEnergyError, Solve, Static};
+pub use stow::{
+    Along, BagStow, BoxRoom, Container, CylinderRoom, FileStow, FoldStow, Imperfect, LateSector, PrescribedStow,
+    ScaleStow, StarStow, Stow, StowRow, Stowage, StowedNode, ZigzagStow, write_stow,
+};
+pub use tie::{BreakTie, Stitching};
+pub use tractor::{TiedAt, TractionRope, TractorOverride};
+pub use units::UnitError;
+pub use web::{Diamond, Gathering, Graph, Polygon, Radial, SpaceWeb, Square, Topological, Traditional, Web};
+pub use wind::{Eddies, Gust, LogarithmicProfile, PowerProfile, Turbulence, Wind, WindRow, WindSeries};
+pub use written::Written;

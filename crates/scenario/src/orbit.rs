@@ -21,12 +21,3 @@ pub struct Orbit {
     /// Mean motion, rad/s, about any planet.
     pub mean_motion: Option<AngularSpeed<Positive>>,
 }
-
-impl Orbit {
-    /// Mean motion, rad/s.
-    pub fn mean_motion_rad_s(&self) -> f64 {
-        let by_altitude =
-            || self.altitude.map_or(0.0, |altitude| netcast_dynamics::forces::orbit::mean_motion(altitude.si()));
-        self.mean_motion.map_or_else(by_altitude, |rate| rate.si())
-    }
-}

@@ -75,8 +75,8 @@ impl<U: Measured, I: Within> Quantity<U, I> {
 }
 
 impl<U, I> Quantity<U, I> {
-    /// A quantity known to lie in its interval: the defaults of this crate.
-    pub(crate) const fn constant(si: f64) -> Self {
+    /// A quantity that is known to lie in its interval, such as a default.
+    pub const fn constant(si: f64) -> Self {
         Self { si, marker: PhantomData }
     }
 

@@ -8,6 +8,8 @@ use crate::interval::NonNegative;
 use crate::nearest::nearest;
 use crate::path::Path;
 use crate::quantity::Acceleration;
+use crate::schema::{keys_at, keys_of};
+use crate::selection::Selection;
 use crate::tree::{Node, Table, Value};
 use crate::written::Written;
 
@@ -35,7 +37,7 @@ pub(crate) fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table
 }
 
 /// Whether a name can stand in the header of a table and in a script.
-pub(crate) fn is_plain(name: &str) -> bool {
+pub fn is_plain(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || [' ', '_', '-', '.'].contains(&c))
 }
 
@@ -125,8 +127,7 @@ fn a_polygon_has_a_size(written: &Written, found: &mut Vec<Diagnostic>) {
 fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnostic>) {
     let Some(web) = table_at(written, "web") else { return };
     // a misspelt kind is reported as such
-    let ropes_only = ["traditional", "topological", "square", "polygon", "radial", "diamond", "graph"];
-    let ropes_only = ropes_only.iter().any(|kind| web.get(kind).is_some());
+    let ropes_only = keys_at("web").into_iter().any(|kind| kind != "space" && web.get(kind).is_some());
     if web.get("space").is_some() || !ropes_only {
         return;
     }
@@ -138,9 +139,6 @@ fn canopies_belong_to_the_space_web(written: &Written, found: &mut Vec<Diagnosti
         }
     }
 }
-
-/// The shapes that a tractor may have.
-const SHAPES: [&str; 4] = ["cylinder", "sphere", "box", "particle"];
 
 fn an_orbit_is_empty(written: &Written, found: &mut Vec<Diagnostic>) {
     let Some(environment) = table_at(written, "environment").filter(|table| table.get("orbit").is_some()) else {
@@ -195,10 +193,10 @@ fn named_tables<'a>(written: &'a Written, of: &str) -> Vec<(Path, &'a Table)> {
 }
 
 fn what_is_loaded_or_driven_is_named(written: &Written, found: &mut Vec<Diagnostic>) {
-    const SELECTORS: [&str; 4] = ["corners", "tractors", "nodes", "points"];
+    let known = keys_of::<Selection>();
     let tables = ["load", "drive", "stow.prescribed.drive"].map(|of| named_tables(written, of));
     for (path, table) in tables.into_iter().flatten() {
-        let selectors = SELECTORS.into_iter().filter(|key| table.get(key).is_some());
+        let selectors = known.iter().filter(|key| table.get(key).is_some());
         match (table.get("force_per_length"), table.get("class")) {
             (Some(_), _) => {
                 for key in selectors {
@@ -211,7 +209,10 @@ fn what_is_loaded_or_driven_is_named(written: &Written, found: &mut Vec<Diagnost
                 found.push(written.at_key(&path.key("class"), message).with_help("give `force_per_length` instead"));
             }
             (None, None) if selectors.count() == 0 => {
-                let help = format!("give one of {}", SELECTORS.map(|key| format!("`{path}.{key}`")).join(", "));
+                let help = format!(
+                    "give one of {}",
+                    known.iter().map(|key| format!("`{path}.{key}`")).collect::<Vec<_>>().join(", ")
+                );
                 found.push(written.at_value(&path, "nothing is named on which it acts").with_help(help));
             }
             (None, None) => {}
@@ -234,6 +235,7 @@ fn named_stitches_are_all_there_are(written: &Written, found: &mut Vec<Diagnosti
 fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::default().key("tractors");
     let Some(tractors) = written.tree.get(&path).and_then(|node| node.value.as_array()) else { return };
+    let shapes = keys_at("tractor");
     let mut seen = Vec::new();
     for (index, tractor) in tractors.iter().enumerate() {
         let Some(tractor) = tractor.value.as_table() else { continue };
@@ -245,7 +247,7 @@ fn tractors_are_told_apart(written: &Written, found: &mut Vec<Diagnostic>) {
             }
             seen.push(*corner);
         }
-        let bodies: Vec<&str> = tractor.keys().filter(|key| SHAPES.contains(key)).collect();
+        let bodies: Vec<&str> = tractor.keys().filter(|key| shapes.contains(key)).collect();
         if let [first, other, ..] = bodies[..] {
             let message = format!("expected only one of `{first}` and `{other}`");
             found.push(written.at_key(&here.key(other), message));

@@ -1,7 +1,6 @@
 //! The scenario as a whole.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -19,9 +18,8 @@ use crate::measure::Measure;
 use crate::quantity::Length;
 use crate::record::Record;
 use crate::rope::Rope;
-use crate::rope_law::RopeLaw;
 use crate::solve::Solve;
-use crate::stow::{Stow, Stowage};
+use crate::stow::Stowage;
 use crate::tie::{BreakTie, Stitching};
 use crate::tractor::{TractionRope, TractorOverride};
 use crate::web::Web;
@@ -123,31 +121,9 @@ impl Scenario {
         }
     }
 
-    pub(crate) fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
+    /// What is different about the tractor at a corner, from 1.
+    pub fn tractor_override(&self, corner: u32) -> Option<&TractorOverride> {
         self.tractors.iter().find(|tractor| tractor.corner.get() == corner)
-    }
-
-    /// The files that the scenario names, relative to it.
-    pub fn files_mut(&mut self) -> Vec<&mut PathBuf> {
-        let mut files = Vec::new();
-        let ropes = std::iter::once(&mut self.rope).chain(self.ropes.values_mut());
-        files.extend(ropes.filter_map(|rope| match &mut rope.law {
-            RopeLaw::Table(table) => Some(&mut table.file),
-            _ => None,
-        }));
-        if let Web::Graph(graph) = &mut self.web {
-            files.extend([&mut graph.nodes, &mut graph.ropes]);
-        }
-        match self.stow.as_mut().map(|stowage| &mut stowage.pattern) {
-            Some(Stow::File(file)) => files.push(&mut file.path),
-            Some(Stow::Prescribed(led)) => files.extend(led.drive.values_mut().filter_map(|drive| drive.file.as_mut())),
-            _ => {}
-        }
-        files.extend(self.launch.as_mut().and_then(Launch::file_mut));
-        files.extend(self.drive.values_mut().filter_map(|drive| drive.file.as_mut()));
-        let series = self.environment.wind.as_mut().and_then(|wind| wind.series.as_mut());
-        files.extend(series.map(|series| &mut series.file));
-        files
     }
 
     /// Diameter of the thickest rope that is the default one or has links assigned to it, traction apart.

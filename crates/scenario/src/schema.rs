@@ -71,8 +71,31 @@ pub(crate) fn choices(schema: &Map<String, Value>) -> Option<Vec<&str>> {
     schema.get("oneOf")?.as_array()?.iter().map(|branch| branch.get("const")?.as_str()).collect()
 }
 
+/// The keys of the table at `path`, or the kinds of it where its name chooses one; none where there is no such table.
+pub(crate) fn keys_at(path: &str) -> Vec<&'static str> {
+    let below = |schema: &'static Map<String, Value>, key: &str| {
+        let property = schema.get("properties").and_then(|known| known.get(key)?.as_object());
+        property.or_else(|| variants(schema)?.into_iter().find(|(name, _)| *name == key).map(|(_, content)| content))
+    };
+    let table = path.split('.').fold(schema().as_object(), |at, key| below(at?, key));
+    table.map_or(Vec::new(), keys)
+}
+
+/// The keys of the table that a type is written as.
+pub(crate) fn keys_of<T: schemars::JsonSchema>() -> Vec<String> {
+    let schema = schemars::SchemaGenerator::default().into_root_schema_for::<T>();
+    schema.as_object().map_or(Vec::new(), |table| keys(table).into_iter().map(str::to_owned).collect())
+}
+
+fn keys(table: &Map<String, Value>) -> Vec<&str> {
+    match (variants(table), table.get("properties").and_then(Value::as_object)) {
+        (Some(kinds), _) => kinds.into_iter().map(|(name, _)| name).collect(),
+        (None, known) => known.into_iter().flat_map(|known| known.keys().map(String::as_str)).collect(),
+    }
+}
+
 /// Where in a scenario a key has the name `key`, as paths.
-pub(crate) fn find_key(schema: &Value, key: &str) -> Vec<String> {
+pub fn find_key(schema: &Value, key: &str) -> Vec<String> {
     let mut found = Vec::new();
     if let Some(root) = schema.as_object() {
         find_below(root, key, &Path::default(), &mut found);
@@ -132,6 +155,14 @@ mod tests {
         let mut missing = Vec::new();
         walk(&Path::default(), schema().as_object().unwrap(), &mut missing);
         assert_eq!(missing, Vec::<String>::new());
+    }
+
+    #[test]
+    fn the_keys_of_a_table_are_those_of_its_type() {
+        assert_eq!(keys_at("tractor"), ["cylinder", "sphere", "box", "particle"]);
+        assert_eq!(keys_at("web.space"), ["side"]);
+        assert_eq!(keys_at("web.nothing"), Vec::<&str>::new());
+        assert_eq!(keys_of::<crate::selection::Selection>(), ["corners", "tractors", "nodes", "points"]);
     }
 
     #[test]

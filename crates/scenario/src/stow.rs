@@ -7,10 +7,13 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::csv_table::{CsvTable, Ids};
+use crate::diagnostic::Diagnostic;
 use crate::drive::Drive;
 use crate::environment::STANDARD_GRAVITY;
 use crate::interval::{BelowOne, Fraction, NonNegative, PackingTime, Positive, UpToOne, WholeTurn};
 use crate::quantity::{Acceleration, Angle, Length, Number, Rate, Time};
+use crate::written::Written;
 
 /// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -284,5 +287,49 @@ impl Default for Imperfect {
 #[serde(deny_unknown_fields)]
 pub struct FileStow {
     /// CSV file of the stowed nodes: columns id, x, y, z, in m. Relative to the scenario.
+    #[schemars(extend("x-file" = true))]
     pub path: PathBuf,
+}
+
+/// A row of `[stow.file]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StowRow {
+    /// The node's id, unique.
+    pub id: String,
+    /// Position x, y, z, m.
+    pub position_m: [f64; 3],
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+/// A node as [`write_stow`] writes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StowedNode {
+    /// The node's id.
+    pub id: String,
+    /// Position x, y, z, m.
+    pub position_m: [f64; 3],
+}
+
+/// Writes a file for `[stow.file]`. Decimals are the shortest that read back to the same bits.
+///
+/// # Errors
+/// Where the file cannot be written.
+pub fn write_stow(path: &std::path::Path, nodes: impl IntoIterator<Item = StowedNode>) -> Result<(), csv::Error> {
+    let mut file = csv::Writer::from_path(path)?;
+    file.write_record(["id", "x", "y", "z"])?;
+    for StowedNode { id, position_m: [x, y, z] } in nodes {
+        file.write_record([id, x.to_string(), y.to_string(), z.to_string()])?;
+    }
+    Ok(file.flush()?)
+}
+
+/// Reads the file of `[stow.file]`; none where the web is packed in another way or the file cannot be read.
+pub(crate) fn read_stow(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<StowRow>> {
+    let mut table = CsvTable::read(written, "stow.file.path", &["id", "x", "y", "z"], &[], found)?;
+    let mut ids = Ids::default();
+    Some(table.rows(found, |cells| {
+        let id = ids.take(cells)?;
+        Some(StowRow { id, position_m: cells.position()?, line: cells.line() })
+    }))
 }

@@ -7,24 +7,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::interval::Positive;
 use crate::quantity::{Force, Length, Number};
+use crate::selection::Selection;
 
 /// Break ties: short threads that hold nodes where these lie stowed, or two nodes together, until they bear their load;
 /// then they are gone. A thread has no mass, and up to its length it does nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[schemars(deny_unknown_fields)]
 pub struct BreakTie {
-    /// Whether each of the web's corners is tied to where it lies.
-    #[serde(default)]
-    pub corners: bool,
-    /// Whether each tractor is tied to where it lies.
-    #[serde(default)]
-    pub tractors: bool,
-    /// The ids of nodes, each of them tied to where it lies.
-    #[serde(default)]
-    pub nodes: Vec<String>,
-    /// The names of feature points, each of them tied to where it lies.
-    #[serde(default)]
-    pub points: Vec<String>,
+    /// Nodes, each of them tied to where it lies.
+    // places in the file come from the schema's check, not from serde
+    #[serde(flatten)]
+    pub on: Selection,
     /// The ids of two nodes each that are tied to each other.
     #[serde(default)]
     pub pairs: Vec<[String; 2]>,

@@ -33,6 +33,20 @@ pub enum Web {
 }
 
 impl Web {
+    /// The table that it is written in.
+    pub fn table(&self) -> &'static str {
+        match self {
+            Self::Traditional(_) => "web.traditional",
+            Self::Topological(_) => "web.topological",
+            Self::Space(_) => "web.space",
+            Self::Square(_) => "web.square",
+            Self::Polygon(_) => "web.polygon",
+            Self::Radial(_) => "web.radial",
+            Self::Diamond(_) => "web.diamond",
+            Self::Graph(_) => "web.graph",
+        }
+    }
+
     /// Writes out every default that depends on what else is given.
     pub(crate) fn complete(&mut self) {
         match self {
@@ -188,9 +202,11 @@ const RIGHT_ANGLE: Angle<HalfTurn> = Angle::constant(FRAC_PI_2);
 #[serde(deny_unknown_fields)]
 pub struct Graph {
     /// CSV file of the nodes: columns id, x, y, z and optionally mass, fixed, vx, vy, vz, in SI; fixed is 0 or 1.
+    #[schemars(extend("x-file" = true))]
     pub nodes: PathBuf,
     /// CSV file of the ropes: columns a, b (node ids) and optionally rope, class, rest_length, pretension, segments,
     /// in SI.
+    #[schemars(extend("x-file" = true))]
     pub ropes: PathBuf,
     /// The closed outline, as node ids in order. Left out: areas are null.
     pub outline: Option<Vec<String>>,

@@ -5,8 +5,11 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::csv_table::CsvTable;
+use crate::diagnostic::Diagnostic;
 use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
 use crate::quantity::{Angle, Length, Number, Speed, Time};
+use crate::written::Written;
 
 /// `[environment.wind]`: a mean `speed`, uniform or by a profile, with a gust and turbulence; or a measured `series`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -144,5 +147,39 @@ pub struct Eddies {
 pub struct WindSeries {
     /// CSV file of the wind, relative to the scenario: columns t, in s since the start, and vx, vy, vz, in m/s in the world
     /// frame. Straight from row to row, constant before the first and after the last.
+    #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
+}
+
+/// A row of the file of `[environment.wind.series]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindRow {
+    /// Time since the start, s.
+    pub time_s: f64,
+    /// Velocity x, y, z of the air, m/s.
+    pub velocity_m_s: [f64; 3],
+}
+
+/// Nobody measures a wind for longer, s.
+const LONGEST_WIND: f64 = 1e9;
+
+/// Reads the file of `[environment.wind.series]`; none where there is none or the file cannot be read.
+pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<WindRow>> {
+    let mut table = CsvTable::read(written, "environment.wind.series.file", &["t", "vx", "vy", "vz"], &[], found)?;
+    if table.is_empty() {
+        found.push(table.whole("no wind"));
+    }
+    let mut before = None;
+    Some(table.rows(found, |cells| {
+        let [time, vx, vy, vz] = ["t", "vx", "vy", "vz"].map(|column| cells.number(column));
+        let row = WindRow { time_s: time?, velocity_m_s: [vx?, vy?, vz?] };
+        if before.is_some_and(|before| row.time_s <= before) {
+            cells.fault_in("t", "t: expected a time after that of the line before".into(), None);
+        }
+        if row.time_s.abs() > LONGEST_WIND {
+            cells.fault_in("t", format!("t: expected a time within {LONGEST_WIND:e} s of the start"), None);
+        }
+        before = Some(row.time_s);
+        Some(row)
+    }))
 }

@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Source};
-use crate::files::Files;
+use crate::file_source::FileSource;
 use crate::path::Path;
 use crate::tree::{Origin, Tree, TreeFault};
 
@@ -14,7 +14,7 @@ pub struct Written {
     /// Its file.
     pub source: Arc<Source>,
     /// Where the files that it names are.
-    pub files: Files,
+    pub files: FileSource,
     /// The overrides, such as `launch.axial_speed=60 m/s`.
     pub overrides: Vec<String>,
     /// Its keys and values, overrides included.
@@ -28,7 +28,7 @@ impl Written {
     /// Everything in the text that is no TOML.
     pub(crate) fn parse(
         source: Source,
-        files: Files,
+        files: FileSource,
         overrides: &[String],
     ) -> Result<(Self, Vec<Diagnostic>), Vec<Diagnostic>> {
         let source = Arc::new(source);

@@ -3,11 +3,7 @@
 mod common;
 
 use common::{CONTRACT, parse};
-use netcast_scenario::body::{Shape, Solid};
-use netcast_scenario::canopy::Canopy;
-use netcast_scenario::rope::Damping;
-use netcast_scenario::stow::{Stow, Stowage};
-use netcast_scenario::web::Web;
+use netcast_scenario::{Canopy, Damping, Shape, Solid, Stow, Stowage, Web};
 
 #[test]
 fn it_means_what_it_says() {

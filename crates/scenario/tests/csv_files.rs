@@ -50,7 +50,7 @@ fn wrong(scenario: &str, nodes: &str, ropes: &str) -> Vec<String> {
 
 #[test]
 fn rows_are_read_with_their_defaults() {
-    let graph = read(SCENARIO, NODES, ROPES).unwrap().graph.unwrap();
+    let graph = read(SCENARIO, NODES, ROPES).unwrap().files.graph.unwrap();
     assert_eq!(graph.nodes.len(), 3);
     assert_eq!((graph.nodes[0].fixed, graph.nodes[0].mass_kg, graph.nodes[0].line), (true, 0.0, 2));
     assert_eq!((graph.nodes[1].mass_kg, graph.nodes[1].velocity_m_s), (0.5, [2.5, 0.0, 0.0]));
@@ -65,7 +65,7 @@ fn rows_are_read_with_their_defaults() {
 #[test]
 fn windows_line_ends_blank_lines_and_a_byte_order_mark_are_no_matter() {
     let nodes = format!("\u{feff}{}", NODES.replace('\n', "\r\n").replacen("\r\n", "\r\n\r\n", 1));
-    let graph = read(SCENARIO, &nodes, ROPES).unwrap().graph.unwrap();
+    let graph = read(SCENARIO, &nodes, ROPES).unwrap().files.graph.unwrap();
     assert_eq!((graph.nodes[0].id.as_str(), graph.nodes[0].line), ("n1", 3));
 }
 
@@ -157,14 +157,14 @@ fn a_flood_of_faults_is_counted() {
 fn a_stowing_is_read_from_its_file() {
     let scenario = format!("{SCENARIO}\n[stow.file]\npath = \"stow.csv\"\n");
     let nodes = "id,x,y,z\nn1,0,0,0\nn2,0.1,0,0\nn3,0,0.1,-0.25\n";
-    let stowed = read(&scenario, nodes, ROPES).unwrap().stowed.unwrap();
+    let stowed = read(&scenario, nodes, ROPES).unwrap().files.stowed.unwrap();
     assert_eq!((stowed[2].id.as_str(), stowed[2].position_m), ("n3", [0.0, 0.1, -0.25]));
 }
 
 #[test]
 fn the_files_are_known_by_name() {
-    let mut scenario = read(SCENARIO, NODES, ROPES).unwrap().scenario;
-    let names: Vec<_> = scenario.files_mut().iter().map(|path| path.display().to_string()).collect();
+    let scenario = read(SCENARIO, NODES, ROPES).unwrap().scenario;
+    let names: Vec<_> = scenario.files().iter().map(|path| path.display().to_string()).collect();
     assert_eq!(names, ["nodes.csv", "ropes.csv"]);
 }
 

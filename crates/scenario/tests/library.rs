@@ -7,11 +7,9 @@ use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_4;
 
 use common::parse;
-use netcast_scenario::canopy::Canopy;
 use netcast_scenario::library::{Fibre, RopeMaterial, Value, library};
-use netcast_scenario::lower::Model;
 use netcast_scenario::quantity::Quantity;
-use netcast_scenario::{Diagnostics, resolved_toml};
+use netcast_scenario::{Canopy, Diagnostics, resolved_toml};
 
 /// A value stripped of its type: what it is of, its sources with those of its scatter, whether it lies in its scatter.
 struct Checked {
@@ -224,7 +222,7 @@ fn an_unknown_material_names_the_nearest_and_the_rest() {
 
 #[test]
 fn a_material_that_changes_nothing_is_told() {
-    let notes = |overrides: &[&str]| Model::new(&parse(NET, overrides).unwrap()).unwrap().notes;
+    let notes = |overrides: &[&str]| parse(NET, overrides).unwrap().library.notes();
     let told = |notes: Vec<String>| notes.iter().any(|note| note.starts_with("rope.material changes nothing"));
     assert!(told(notes(&["rope.density=700", "rope.elastic_modulus=1 GPa", "rope.strength=1 kN"])));
     assert!(!told(notes(&["rope.density=700", "rope.elastic_modulus=1 GPa"])));

@@ -132,6 +132,14 @@ pub enum WebError {
 }
 
 impl WebError {
+    /// The name of the argument that it is about; none for a fault of a net that is listed knot by knot.
+    pub fn argument_name(&self) -> Option<&'static str> {
+        match self {
+            WebError::Argument { name, .. } => Some(name),
+            _ => None,
+        }
+    }
+
     /// The fault of an argument.
     pub(crate) fn argument(name: &'static str, fault: String) -> WebError {
         WebError::Argument { name, fault }

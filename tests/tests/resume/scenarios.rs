@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use netcast::Document;
-use netcast::scenario::diagnostic::Source;
+use netcast::scenario::Source;
 use netcast::scenario::schema;
 use netcast::scenario::tree::{Tree, Value};
 use netcast_tests::{files_of_kind, resume};

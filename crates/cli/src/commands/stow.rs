@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use netcast::scenario::csv_files::{StowedNode, write_stow};
-use netcast::scenario::lower::node_id;
+use netcast::model::node_id;
+use netcast::scenario::{StowedNode, write_stow};
 
 use super::ScenarioArguments;
 use crate::Ended;

@@ -13,7 +13,7 @@
 //!
 //! Derivation, bound and tests: docs/theory/bending.md.
 
-use super::element::{Element, ElementError, ElementForces, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, Property, distinct, not_negative, positive};
 use super::fold::{FLOOR, Fold};
 use glam::DVec3;
 
@@ -40,10 +40,10 @@ impl Bending {
     ) -> Result<Self, ElementError> {
         distinct(nodes)?;
         for length in rest_lengths {
-            positive("rest length, m,", length)?;
+            positive(Property::RestLength, length)?;
         }
-        positive("bending stiffness, N m^2,", bending_stiffness)?;
-        not_negative("damping time, s,", damping_time)?;
+        positive(Property::BendingStiffness, bending_stiffness)?;
+        not_negative(Property::DampingTime, damping_time)?;
 
         let [before, after] = rest_lengths;
         let angular = bending_stiffness / (0.5 * (before + after));

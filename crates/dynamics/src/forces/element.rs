@@ -38,14 +38,89 @@ pub trait Element<const N: usize>: Sync {
     fn damping(&self) -> [f64; N];
 }
 
+/// A property of an element, as an error names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Property {
+    /// Poisson ratio.
+    PoissonRatio,
+    /// Elastic modulus along the fibres.
+    ModulusAlong,
+    /// Elastic modulus across the fibres.
+    ModulusAcross,
+    /// Shear modulus.
+    ShearModulus,
+    /// Angle of the fibres.
+    FibreAngle,
+    /// Thickness.
+    Thickness,
+    /// Area at rest.
+    RestArea,
+    /// Area at rest on one side of a hinge.
+    AreaLeft,
+    /// Area at rest on the other side of a hinge.
+    AreaRight,
+    /// Length of an edge.
+    Edge,
+    /// Length at rest.
+    RestLength,
+    /// Flexural rigidity.
+    FlexuralRigidity,
+    /// Bending stiffness.
+    BendingStiffness,
+    /// Damping time.
+    DampingTime,
+}
+
+impl Property {
+    /// All of them.
+    pub const ALL: [Property; 14] = [
+        Property::PoissonRatio,
+        Property::ModulusAlong,
+        Property::ModulusAcross,
+        Property::ShearModulus,
+        Property::FibreAngle,
+        Property::Thickness,
+        Property::RestArea,
+        Property::AreaLeft,
+        Property::AreaRight,
+        Property::Edge,
+        Property::RestLength,
+        Property::FlexuralRigidity,
+        Property::BendingStiffness,
+        Property::DampingTime,
+    ];
+}
+
+impl std::fmt::Display for Property {
+    /// In words, with its unit.
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Property::PoissonRatio => "Poisson ratio",
+            Property::ModulusAlong => "elastic modulus along the fibres, Pa,",
+            Property::ModulusAcross => "elastic modulus across the fibres, Pa,",
+            Property::ShearModulus => "shear modulus, Pa,",
+            Property::FibreAngle => "fibre angle, rad,",
+            Property::Thickness => "thickness, m,",
+            Property::RestArea => "rest area, m^2,",
+            Property::AreaLeft => "rest area, m^2, to the left of a hinge",
+            Property::AreaRight => "rest area, m^2, to the right of a hinge",
+            Property::Edge => "edge, m,",
+            Property::RestLength => "rest length, m,",
+            Property::FlexuralRigidity => "flexural rigidity, N m,",
+            Property::BendingStiffness => "bending stiffness, N m^2,",
+            Property::DampingTime => "damping time, s,",
+        })
+    }
+}
+
 /// Why an element cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ElementError {
     /// A property is out of range or not a number.
     #[error("an element has a {what} of {value}")]
     Property {
-        /// Which property, with its unit.
-        what: &'static str,
+        /// Which property.
+        what: Property,
         /// Its value.
         value: f64,
     },
@@ -58,17 +133,17 @@ pub enum ElementError {
 }
 
 /// The value, if `holds` and it is finite.
-pub(super) fn checked(what: &'static str, value: f64, holds: bool) -> Result<f64, ElementError> {
+pub(super) fn checked(what: Property, value: f64, holds: bool) -> Result<f64, ElementError> {
     if holds && value.is_finite() { Ok(value) } else { Err(ElementError::Property { what, value }) }
 }
 
 /// The value, if it is positive.
-pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, ElementError> {
+pub(super) fn positive(what: Property, value: f64) -> Result<f64, ElementError> {
     checked(what, value, value > 0.0)
 }
 
 /// The value, if it is zero or positive.
-pub(super) fn not_negative(what: &'static str, value: f64) -> Result<f64, ElementError> {
+pub(super) fn not_negative(what: Property, value: f64) -> Result<f64, ElementError> {
     checked(what, value, value >= 0.0)
 }
 

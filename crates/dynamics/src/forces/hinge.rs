@@ -14,7 +14,7 @@
 //! that of a Poisson ratio of -1/3 whatever the material's: it matters only where edges are free. On other meshes the
 //! rigidity depends on direction. Derivation, bound and tests: docs/theory/plate.md.
 
-use super::element::{Element, ElementError, ElementForces, checked, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, Property, checked, distinct, not_negative, positive};
 use super::fold::Fold;
 use glam::{DVec2, DVec3};
 
@@ -41,12 +41,12 @@ impl Hinge {
     /// A node that occurs twice; triangles that do not lie on either side of the edge; a property out of range.
     pub fn new(nodes: [usize; 4], rest: [DVec2; 4], rigidity: f64, damping_time: f64) -> Result<Self, ElementError> {
         distinct(nodes)?;
-        positive("flexural rigidity, N m,", rigidity)?;
-        not_negative("damping time, s,", damping_time)?;
+        positive(Property::FlexuralRigidity, rigidity)?;
+        not_negative(Property::DampingTime, damping_time)?;
         let edge = rest[1] - rest[0];
-        let left = positive("rest area, m^2, to the left of a hinge", edge.perp_dot(rest[2] - rest[0]))?;
-        let right = positive("rest area, m^2, to the right of a hinge", (rest[3] - rest[0]).perp_dot(edge))?;
-        let length = checked("edge, m,", edge.length(), true)?;
+        let left = positive(Property::AreaLeft, edge.perp_dot(rest[2] - rest[0]))?;
+        let right = positive(Property::AreaRight, (rest[3] - rest[0]).perp_dot(edge))?;
+        let length = checked(Property::Edge, edge.length(), true)?;
         let angular = rigidity * length * length / (0.5 * (left + right));
 
         // slopes of the angle of the flat sheet against its nodes, 1/m: 1/height at the far ones, shared by the lever

@@ -15,7 +15,7 @@
 //! Valid for strains as small as [`super::tension_field`] asks. The bound for the step is for stretches up to
 //! [`LARGEST_STRETCH`]. Derivation, bound and tests: docs/theory/membrane.md.
 
-use super::element::{Element, ElementError, ElementForces, distinct, not_negative, positive};
+use super::element::{Element, ElementError, ElementForces, Property, distinct, not_negative, positive};
 use super::tension_field::{Elasticity, Tautness, TensionField};
 use glam::{DVec2, DVec3};
 
@@ -85,9 +85,9 @@ impl Membrane {
     pub fn new(nodes: [usize; 3], rest: [DVec2; 3], fabric: &Fabric) -> Result<Self, ElementError> {
         distinct(nodes)?;
         let law = TensionField::new(&fabric.elasticity, fabric.compresses)?;
-        positive("thickness, m,", fabric.thickness)?;
-        not_negative("damping time, s,", fabric.damping_time)?;
-        let twice_area = positive("rest area, m^2,", (rest[1] - rest[0]).perp_dot(rest[2] - rest[0]))?;
+        positive(Property::Thickness, fabric.thickness)?;
+        not_negative(Property::DampingTime, fabric.damping_time)?;
+        let twice_area = positive(Property::RestArea, (rest[1] - rest[0]).perp_dot(rest[2] - rest[0]))?;
         let volume = 0.5 * twice_area * fabric.thickness;
 
         // a node's share falls from 1 to 0 towards the opposite side

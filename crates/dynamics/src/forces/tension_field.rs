@@ -24,7 +24,7 @@
 //! Valid for cloth without bending stiffness worth speaking of, and for strains small enough that the material is
 //! linear in the Green strain. The wrinkles themselves, their length and height, are not resolved.
 
-use super::element::{ElementError, checked, positive};
+use super::element::{ElementError, Property, checked, positive};
 use glam::{DVec2, DVec3};
 
 /// An elastic sheet in its plane.
@@ -84,12 +84,12 @@ impl TensionField {
     /// A modulus that is not positive; a Poisson ratio with which the sheet would not be stable, nu12^2 >= E1/E2.
     pub fn new(elasticity: &Elasticity, compresses: bool) -> Result<Self, ElementError> {
         let [along, across] = elasticity.moduli;
-        positive("elastic modulus along the fibres, Pa,", along)?;
-        positive("elastic modulus across the fibres, Pa,", across)?;
-        positive("shear modulus, Pa,", elasticity.shear_modulus)?;
-        checked("fibre angle, rad,", elasticity.fibre_angle, true)?;
+        positive(Property::ModulusAlong, along)?;
+        positive(Property::ModulusAcross, across)?;
+        positive(Property::ShearModulus, elasticity.shear_modulus)?;
+        checked(Property::FibreAngle, elasticity.fibre_angle, true)?;
         let poisson = elasticity.poisson_ratio * (across / along).sqrt();
-        checked("Poisson ratio", elasticity.poisson_ratio, poisson.abs() < 1.0)?;
+        checked(Property::PoissonRatio, elasticity.poisson_ratio, poisson.abs() < 1.0)?;
 
         let modulus = (along * across).sqrt();
         let modulus =

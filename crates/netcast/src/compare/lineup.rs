@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use netcast_model::Model;
 use netcast_results::{Manifest, Quantity, SummaryFile, expected, folder, leaves, quantity_at};
-use netcast_scenario::lower::Model;
 use netcast_scenario::{Diagnostic, Diagnostics, Place};
 use serde_json::Value as Json;
 

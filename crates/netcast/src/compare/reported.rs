@@ -13,10 +13,9 @@ use std::sync::Arc;
 
 use netcast_results::Dimension;
 use netcast_results::comparison::{Reported, ReportedValue};
-use netcast_scenario::nearest::nearest;
 use netcast_scenario::path::Path as ValuePath;
 use netcast_scenario::tree::{Origin, Table, Tree, Value};
-use netcast_scenario::{Diagnostic, Place, Source};
+use netcast_scenario::{Diagnostic, Place, Source, nearest};
 use serde_json::Value as Json;
 
 /// The key of the file that no design may have for a name.

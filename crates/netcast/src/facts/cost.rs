@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use netcast_dynamics::time::step::Stepper;
-use netcast_scenario::lower::Model;
+use netcast_model::Model;
 use serde::Serialize;
 
 use crate::case::Case;

@@ -1,6 +1,6 @@
 //! How a case is launched, what of it ropes can turn, what holds it until it breaks.
 
-use netcast_scenario::lower::{Model, Thrown};
+use netcast_model::{Model, Thrown};
 use netcast_webs::Class;
 use serde::Serialize;
 
@@ -77,7 +77,7 @@ pub(super) fn bodies(model: &Model) -> Vec<BodyFacts> {
 }
 
 pub(super) fn throws(model: &Model) -> Vec<ThrowFacts> {
-    let facts = |throw: &netcast_scenario::lower::Throw| ThrowFacts {
+    let facts = |throw: &netcast_model::Throw| ThrowFacts {
         corner: throw.corner,
         by: match &throw.by {
             Thrown::At(velocity) => Pushed::Speed { speed_m_s: velocity.length() },

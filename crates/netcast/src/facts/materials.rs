@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use netcast_dynamics::forces::bilinear::Bilinear;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::viscoelastic::Viscoelastic;
+use netcast_model::Model;
 use netcast_scenario::Document;
 use netcast_scenario::library::library;
-use netcast_scenario::lower::Model;
 use netcast_webs::PACKED_FILL;
 use serde::Serialize;
 

@@ -68,7 +68,7 @@ impl Case {
         let model = self.model();
         let scenario = self.scenario();
         let launch = scenario.launch.as_ref();
-        let is_plain = |launch: &netcast_scenario::launch::Launch| {
+        let is_plain = |launch: &netcast_scenario::Launch| {
             launch.tube.is_none() && launch.scatter.is_none() && scenario.tractors.is_empty()
         };
         Facts {

@@ -1,6 +1,6 @@
 //! How a case starts: what is stretched, how large and how dense it is packed.
 
-use netcast_scenario::lower::Model;
+use netcast_model::Model;
 use serde::Serialize;
 
 use crate::case::Case;

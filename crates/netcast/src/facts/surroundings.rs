@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use netcast_dynamics::air::Air;
 use netcast_dynamics::forces::body_drag::Shape;
-use netcast_scenario::lower::{self, AirOutline, Model};
+use netcast_model::{AirOutline, Model};
 use serde::Serialize;
 
 /// The orbit that a case flies beside.
@@ -192,7 +192,7 @@ pub(super) fn ground(model: &Model) -> Option<GroundFacts> {
 pub(super) fn air(model: &Model) -> Option<AirFacts> {
     let air = model.system.environment().air.as_ref()?;
     let outline = model.air.as_ref()?;
-    let rope = |rope: lower::RopesInAir| RopeInAir {
+    let rope = |rope: netcast_model::RopesInAir| RopeInAir {
         rope: rope.rope,
         is_screen: rope.screened,
         area_m2: rope.area,
@@ -214,9 +214,9 @@ pub(super) fn air(model: &Model) -> Option<AirFacts> {
         screen_solidity: outline.solidity,
         buoyancy_n: outline.buoyancy,
         fall: model.fall().filter(|_| falls).map(|fall| match fall {
-            lower::Fall::At(speed) => Fall::TerminalSpeedMS(speed),
-            lower::Fall::Floats => Fall::Floats,
-            lower::Fall::Unhindered => Fall::Unhindered,
+            netcast_model::Fall::At(speed) => Fall::TerminalSpeedMS(speed),
+            netcast_model::Fall::Floats => Fall::Floats,
+            netcast_model::Fall::Unhindered => Fall::Unhindered,
         }),
     })
 }

@@ -35,7 +35,7 @@ pub struct FromLibrary {
 
 impl FromLibrary {
     /// What a user may not have expected.
-    pub(crate) fn notes(&self) -> Vec<String> {
+    pub fn notes(&self) -> Vec<String> {
         let note = |table: &String| format!("{table}.material changes nothing: all its values are written beside it");
         self.idle.iter().map(note).collect()
     }

@@ -1,0 +1,277 @@
+//! Canopies that are more than links: rigid plates, and sheets of triangles with what is bound to them.
+
+use glam::DVec3;
+use netcast_dynamics::forces::element::ElementError;
+use netcast_dynamics::forces::hinge::{Hinge, flexural_rigidity};
+use netcast_dynamics::forces::membrane::{Fabric, Membrane};
+use netcast_dynamics::forces::tension_field::Elasticity;
+use netcast_scenario::{Canopy, CanopyMembrane, Damping, Diagnostics, Document, SheetBending};
+use netcast_webs::{Class, CutWeb, Sheet, StiffPlate, hexagonal_sheet};
+
+use super::binding::{Binding, Bound, Lump};
+use super::canopy_links;
+use super::draft::Draft;
+use super::material::{PlacedBody, add_links, canopy_of, group_number};
+use super::places;
+
+/// What the canopies of a web are, beside links.
+#[derive(Debug, Clone, Default)]
+pub struct Canopies {
+    /// Those that are sheets, in order.
+    pub sheets: Vec<CutSheet>,
+    /// Triangles of the sheets, sheet by sheet.
+    pub membranes: Vec<Membrane>,
+    /// Where they resist bending.
+    pub hinges: Vec<Hinge>,
+    /// What keeps its shape when the web is packed.
+    pub plates: Vec<StiffPlate>,
+    /// What is bound rigidly together; none of it before [`Canopies::bind`].
+    pub bound: Vec<Bound>,
+    bindings: Vec<Binding>,
+}
+
+/// Makes the canopies: members, plates or sheets. Adds nodes to the web, and what canopies weigh to the mass of their nodes.
+///
+/// # Errors
+/// A sheet that cannot be meshed as asked, or whose material cannot be.
+pub fn make(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Some(canopy) = canopy_of(&draft.scenario, &draft.cut) else { return Ok(()) };
+    let Draft { document, cut, groups, members, bodies, parts, .. } = draft;
+    match &canopy {
+        Canopy::Links(links) => {
+            let made = canopy_links::members(links, canopy.mass_and_volume().0);
+            add_links(cut, &made, group_number(groups, &Class::Canopy, None), members, &mut parts.mass);
+        }
+        Canopy::Rigid(plate) => {
+            let lump = hexagonal_plate(canopy.mass_and_volume().0, canopy.side_m(), plate.thickness.si());
+            draft.canopies = rigid(cut, lump);
+        }
+        Canopy::Membrane(sheet) => draft.canopies = sheets(document, sheet, bodies, cut, &mut parts.mass)?,
+    }
+    Ok(())
+}
+
+/// A canopy as a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutSheet {
+    /// Its nodes in the order of the mesh: its hub, then ring by ring outwards.
+    pub nodes: Vec<usize>,
+    /// Its triangles, of nodes of the system.
+    pub triangles: Vec<[usize; 3]>,
+    /// The nodes on its corners, anticlockwise.
+    pub corners: [usize; 6],
+}
+
+impl Canopies {
+    /// Whether a node is bound to others, and then makes what sits there a part of that.
+    pub fn carry(&mut self, body: &PlacedBody, cut: &CutWeb) -> bool {
+        let binding = self.bindings.iter_mut().find(|binding| binding.nodes.contains(&body.node));
+        if let Some(binding) = binding {
+            binding.lumps.push(Lump {
+                place: cut.nodes[body.node],
+                mass: body.solid.mass_kg,
+                inertia: body.solid.inertia_kg_m2().unwrap_or_default(),
+            });
+            return true;
+        }
+        false
+    }
+
+    /// What lies flat in a folded web: plates, and cloth too, for its triangles are larger than a fold's bends.
+    pub fn laid_in_folds(&self) -> Vec<StiffPlate> {
+        let is_plate = |canopy: usize| self.plates.iter().any(|plate| plate.canopy == canopy);
+        let cloth = self.sheets.iter().enumerate().filter(|(canopy, _)| !is_plate(*canopy));
+        let cloth = cloth.map(|(canopy, sheet)| StiffPlate { canopy, nodes: sheet.nodes.clone() });
+        self.plates.iter().cloned().chain(cloth).collect()
+    }
+
+    /// Binds what is to be bound, once all nodes have their masses, kg; adds nodes in the centres.
+    pub fn bind(&mut self, cut: &mut CutWeb, mass: &mut Vec<f64>) {
+        for binding in self.bindings.drain(..) {
+            let bound = binding.bind(cut, mass);
+            let plate = self.plates.iter_mut().find(|plate| plate.canopy == bound.canopy);
+            plate.expect("a canopy of which a part is rigid keeps its shape").nodes.push(bound.body.centre);
+            self.bound.push(bound);
+        }
+    }
+}
+
+/// The triangles that air drags at: those of the sheets, or of each hexagon six round its hub.
+pub fn triangles(sheets: &[CutSheet], cut: &CutWeb) -> Vec<[usize; 3]> {
+    if !sheets.is_empty() {
+        return sheets.iter().flat_map(|sheet| sheet.triangles.iter().copied()).collect();
+    }
+    let hexagons = cut.web.canopies.iter();
+    hexagons.flat_map(|h| (0..6).map(|side| [h.hub, h.rim[side], h.rim[(side + 1) % 6]])).collect()
+}
+
+/// A regular hexagon of this side as a plate in the web's plane about the origin: I = m (5 s^2/24 + t^2/12) across, 5 m
+/// s^2/12 about its axis.
+fn hexagonal_plate(mass: f64, side: f64, thickness: f64) -> Lump {
+    let across = 5.0 / 24.0 * side * side + thickness * thickness / 12.0;
+    Lump { place: DVec3::ZERO, mass, inertia: mass * DVec3::new(across, across, 5.0 / 12.0 * side * side) }
+}
+
+/// Every canopy one body.
+fn rigid(cut: &CutWeb, lump: Lump) -> Canopies {
+    let mut canopies = Canopies::default();
+    for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
+        let nodes: Vec<usize> = [hexagon.hub].into_iter().chain(hexagon.rim).collect();
+        canopies.plates.push(StiffPlate { canopy, nodes: nodes.clone() });
+        canopies.bindings.push(Binding {
+            canopy,
+            label: format!("canopy {}", hexagon.number),
+            nodes,
+            lumps: vec![Lump { place: cut.nodes[hexagon.hub], ..lump }],
+        });
+    }
+    canopies
+}
+
+/// Every canopy a sheet.
+fn sheets(
+    document: &Document,
+    sheet: &CanopyMembrane,
+    bodies: &[PlacedBody],
+    cut: &mut CutWeb,
+    mass: &mut Vec<f64>,
+) -> Result<Canopies, Diagnostics> {
+    let (side, tie_radius) = (sheet.side.si(), sheet.tie_radius.si());
+    let wrong = |key: &str, message: String| document.diagnostic(&format!("canopy.membrane.{key}"), message);
+    let mesh =
+        hexagonal_sheet(side, sheet.fineness.get() as usize).map_err(|error| wrong("fineness", error.to_string()))?;
+    let reach = bodies.iter().map(|body| body.solid.shape.radius_m()).fold(0.0, f64::max);
+    if tie_radius > 0.0 && (2.0 * tie_radius >= side || tie_radius + reach >= side) {
+        let message = format!(
+            "what is bound within {tie_radius} m of a corner must stay apart from the next corner, {side} m away, and from \
+             what is fixed to the middle, {reach} m in radius"
+        );
+        return Err(wrong("tie_radius", message).into());
+    }
+    let mut canopies = Canopies::default();
+    for canopy in 0..cut.web.canopies.len() {
+        let nodes = mesh_nodes(&mesh, canopy, cut, mass);
+        let on_hub = bodies.iter().find(|body| body.node == cut.web.canopies[canopy].hub);
+        let bindings = patches(&mesh, &nodes, canopy, cut, on_hub.map(|body| body.solid.shape.radius_m()), tie_radius);
+        if sheet.bending == SheetBending::Plate || !sheet.wrinkles || !bindings.is_empty() {
+            canopies.plates.push(StiffPlate { canopy, nodes: nodes.clone() });
+        }
+        canopies.bindings.extend(bindings);
+        let triangles = mesh.triangles.iter().map(|triangle| triangle.map(|node| nodes[node])).collect();
+        canopies.sheets.push(CutSheet { nodes, triangles, corners: cut.web.canopies[canopy].rim });
+    }
+    add_elements(&mut canopies, sheet, &mesh, mass)
+        .map_err(|error| document.diagnostic(places::of_sheet(&error), error.to_string()))?;
+    Ok(canopies)
+}
+
+/// The nodes of a canopy's mesh; those that are no knots are added.
+fn mesh_nodes(mesh: &Sheet, canopy: usize, cut: &mut CutWeb, mass: &mut Vec<f64>) -> Vec<usize> {
+    let hexagon = cut.web.canopies[canopy].clone();
+    let middle = cut.nodes[hexagon.hub];
+    let mut node = |(index, place): (usize, &glam::DVec2)| {
+        if index == mesh.middle {
+            return hexagon.hub;
+        }
+        if let Some(corner) = mesh.corners.iter().position(|&corner| corner == index) {
+            return hexagon.rim[corner];
+        }
+        mass.push(0.0);
+        cut.add_node(canopy, middle + place.extend(0.0), format!("node {index} of canopy {}", hexagon.number))
+    };
+    mesh.nodes.iter().enumerate().map(&mut node).collect()
+}
+
+/// What of a canopy is bound together: the nodes about each corner, and those under what is fixed to the middle. A node
+/// by itself needs no binding.
+fn patches(
+    mesh: &Sheet,
+    nodes: &[usize],
+    canopy: usize,
+    cut: &CutWeb,
+    on_hub: Option<f64>,
+    tie_radius: f64,
+) -> Vec<Binding> {
+    let number = cut.web.canopies[canopy].number;
+    let about = |at: usize, radius: f64| -> Vec<usize> {
+        // a node on the circle is in, whatever rounding says
+        let is_near = |&index: &usize| mesh.nodes[index].distance(mesh.nodes[at]) <= radius * (1.0 + 1e-9);
+        (0..nodes.len()).filter(is_near).map(|index| nodes[index]).collect()
+    };
+    let corners = mesh.corners.iter().enumerate();
+    let corners = corners.map(|(k, &at)| (format!("tie {} of canopy {number}", k + 1), about(at, tie_radius)));
+    let middle = on_hub.map(|radius| (format!("what canopy {number} carries"), about(mesh.middle, radius)));
+    let patches = corners.chain(middle).filter(|(_, nodes)| nodes.len() > 1);
+    patches.map(|(label, nodes)| Binding { canopy, label, nodes, lumps: Vec::new() }).collect()
+}
+
+/// The elements of all sheets and their masses. What lies inside a patch keeps its shape and needs none.
+fn add_elements(
+    canopies: &mut Canopies,
+    sheet: &CanopyMembrane,
+    mesh: &Sheet,
+    mass: &mut [f64],
+) -> Result<(), ElementError> {
+    let Canopies { sheets, membranes, hinges, bindings, .. } = canopies;
+    let mut patch = vec![None; mass.len()];
+    for (index, binding) in bindings.iter().enumerate() {
+        binding.nodes.iter().for_each(|&node| patch[node] = Some(index));
+    }
+    let is_rigid = |nodes: &[usize]| patch[nodes[0]].is_some() && nodes.iter().all(|&n| patch[n] == patch[nodes[0]]);
+
+    let (elasticity, modulus) = elasticity(sheet);
+    let thickness = sheet.thickness.si();
+    let spacing = sheet.side.si() / f64::from(sheet.fineness.get());
+    let damping_time = match sheet.damping() {
+        Damping::Time(time) => time,
+        Damping::Ratio(ratio) => 2.0 * ratio * spacing * (sheet.density.si() / modulus).sqrt(),
+    };
+    let fabric = Fabric { elasticity, thickness, compresses: !sheet.wrinkles, damping_time };
+    // nu12 nu21 in place of nu^2
+    let poisson = elasticity.poisson_ratio * (elasticity.moduli[1] / elasticity.moduli[0]).sqrt();
+    let rigidity = flexural_rigidity(modulus, poisson, thickness);
+    let triangle_mass = Canopy::Membrane(sheet.clone()).mass_and_volume().0 / mesh.triangles.len() as f64;
+    for sheet_nodes in sheets {
+        for (triangle, nodes) in mesh.triangles.iter().zip(&sheet_nodes.triangles) {
+            nodes.iter().for_each(|&node| mass[node] += triangle_mass / 3.0);
+            if !is_rigid(nodes) {
+                membranes.push(Membrane::new(*nodes, triangle.map(|node| mesh.nodes[node]), &fabric)?);
+            }
+        }
+        if sheet.bending == SheetBending::Plate {
+            for hinge in &mesh.hinges {
+                let nodes = hinge.map(|node| sheet_nodes.nodes[node]);
+                if !is_rigid(&nodes) {
+                    hinges.push(Hinge::new(nodes, hinge.map(|node| mesh.nodes[node]), rigidity, damping_time)?);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Elasticity in the plane, and the geometric mean of its moduli, Pa.
+fn elasticity(sheet: &CanopyMembrane) -> (Elasticity, f64) {
+    let along = sheet.elastic_modulus.si();
+    let across = sheet.elastic_modulus_across.map_or(along, |modulus| modulus.si());
+    let mean = if across == along { along } else { (along * across).sqrt() };
+    let poisson_ratio = sheet.poisson_ratio.si();
+    let shear = sheet.shear_modulus.map_or(mean / (2.0 * (1.0 + poisson_ratio)), |modulus| modulus.si());
+    let fibre_angle = sheet.fibre_angle.si();
+    (Elasticity { moduli: [along, across], poisson_ratio, shear_modulus: shear, fibre_angle }, mean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second moment of a regular hexagon of side 1 about an axis in its plane, by its six triangles.
+    #[test]
+    fn a_hexagonal_plate_has_the_inertia_of_its_triangles() {
+        let lump = hexagonal_plate(2.0, 0.3, 0.0);
+        // a triangle with a corner in the middle and the others at a and b: m/6 (a.a + b.b + a.b) about the middle
+        let polar = 2.0 * (0.09 + 0.09 + 0.045) / 6.0;
+        assert!((lump.inertia.z - polar).abs() < 1e-15);
+        assert!((lump.inertia.x + lump.inertia.y - polar).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,139 @@
+//! What the air does to a web, in figures: what a scenario's author checks before anything is run.
+
+use glam::DVec3;
+use netcast_dynamics::air::{Air, BodyDrag};
+use netcast_dynamics::forces::body_drag::Shape;
+use netcast_dynamics::forces::rope_drag::RopeDrag;
+use netcast_scenario::Scenario;
+use netcast_webs::Class;
+
+use super::air::AirOutline;
+use crate::Model;
+
+/// Ropes of one name in the air; those of a screen apart from others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RopesInAir {
+    /// The name of their rope.
+    pub rope: String,
+    /// Whether they drag as those of a screen.
+    pub screened: bool,
+    /// Its diameter times their length, m^2.
+    pub area: f64,
+    /// Reynolds number across it at the launch speed.
+    pub reynolds: f64,
+    /// Normal coefficient there, with what a screen adds.
+    pub normal: f64,
+}
+
+/// How a web falls through the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fall {
+    /// At this speed at last, m/s.
+    At(f64),
+    /// Not: it is no heavier than what it displaces.
+    Floats,
+    /// Ever faster: nothing of it drags.
+    Unhindered,
+}
+
+/// A damped fall that has this many times its own time is long.
+const LONG: f64 = 10.0;
+/// Bisections of a speed: more than a double can tell.
+const HALVINGS: usize = 80;
+
+impl Model {
+    /// The ropes by name, in the order of the groups; nothing where there is no air.
+    pub fn ropes_in_air(&self) -> Vec<RopesInAir> {
+        let (Some(air), Some(outline)) = (&self.system.environment().air, &self.air) else { return Vec::new() };
+        let mut found: Vec<RopesInAir> = Vec::new();
+        for (group, area, drag) in self.rope_areas(air) {
+            let Some(rope) = &self.groups[group].rope else { continue };
+            let reynolds = reynolds(air, drag, outline.launch_speed);
+            let (normal, screened) = (drag.coefficient(reynolds), drag.solidity > 0.0);
+            match found.iter_mut().find(|known| known.rope == *rope && known.screened == screened) {
+                Some(known) => known.area += area,
+                None => found.push(RopesInAir { rope: rope.clone(), screened, area, reynolds, normal }),
+            }
+        }
+        found
+    }
+
+    /// How the web falls, flat and level, without tractors and their ropes; none where there is no air.
+    pub fn fall(&self) -> Option<Fall> {
+        let (air, outline) = (self.system.environment().air.as_ref()?, self.air.as_ref()?);
+        let weight = self.bill.web_mass() * self.scenario.environment.gravity.si() - outline.web_buoyancy;
+        if weight <= 0.0 {
+            return Some(Fall::Floats);
+        }
+        let ropes: Vec<_> =
+            self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
+        let (density, viscosity) = (air.medium.density(0.0), air.medium.viscosity());
+        // their z axes stand on the web
+        let is_carried = |body: &&BodyDrag| !self.system.tractor()[body.node];
+        let bodies: Vec<Shape> = air.bodies.iter().filter(is_carried).map(|body| body.shape).collect();
+        let sheets: f64 = air.sheets.iter().map(|sheet| sheet.coefficient * sheet.area).sum();
+        let drag = |speed: f64| {
+            let ropes: f64 =
+                ropes.iter().map(|(_, area, drag)| area * drag.coefficient(reynolds(air, drag, speed))).sum();
+            let bodies: f64 = bodies.iter().map(|shape| shape.force(DVec3::Z * speed, density, viscosity).z).sum();
+            0.5 * density * speed * speed * (ropes + sheets) + bodies
+        };
+        let (mut slow, mut fast) = (0.0, 1.0);
+        while drag(fast) < weight {
+            fast *= 2.0;
+            if fast > 1e6 {
+                return Some(Fall::Unhindered);
+            }
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (slow + fast);
+            if drag(middle) < weight { slow = middle } else { fast = middle }
+        }
+        Some(Fall::At(fast))
+    }
+
+    /// Each group of ropes with its diameter times its length, m^2, and its drag.
+    fn rope_areas<'a>(&'a self, air: &'a Air) -> impl Iterator<Item = (usize, f64, &'a RopeDrag)> {
+        air.ropes.iter().enumerate().filter_map(|(group, drag)| {
+            let drag = drag.as_ref()?;
+            let segments = self.system.segments().iter().filter(|segment| segment.class == group);
+            Some((group, drag.diameter * segments.map(|segment| segment.rest_length).sum::<f64>(), drag))
+        })
+    }
+}
+
+fn reynolds(air: &Air, drag: &RopeDrag, speed: f64) -> f64 {
+    air.medium.density(0.0) * speed * drag.diameter / air.medium.viscosity()
+}
+
+/// What a user may not have expected of the air, and of what stands for it; `falls` where nothing holds the web.
+pub fn notes(scenario: &Scenario, air: Option<&AirOutline>, falls: bool) -> Vec<String> {
+    let mut notes = Vec::new();
+    let environment = &scenario.environment;
+    let (damping, gravity) = (environment.damping.si(), environment.gravity.si());
+    let terminal = format!("{:.3} m/s (gravity / damping)", gravity / damping);
+    if damping > 0.0 && environment.wind.is_some() {
+        notes.push(
+            "environment.damping acts against the world, not against the air: it holds back what the wind carries along, and \
+             its drag comes on top of the air's; leave it out for all but comparisons"
+                .to_owned(),
+        );
+    } else if damping > 0.0 && air.is_some() {
+        notes.push(
+            "environment.damping comes on top of the drag of the air, which it stands for: leave one of them out"
+                .to_owned(),
+        );
+    }
+    let time = scenario.solve.run_time().unwrap_or(0.0);
+    if damping * time > LONG && gravity > 0.0 && falls {
+        notes.push(format!(
+            "environment.damping lets nothing fall faster than {terminal}, heavy or light, and nothing drift: over {time} s \
+             that is no stand-in for air"
+        ));
+    }
+    if let Some(air) = air.filter(|air| air.sizeless > 0) {
+        let what = if air.sizeless == 1 { "1 particle has" } else { &format!("{} particles have", air.sizeless) };
+        notes.push(format!("{what} no size: the air passes by; give it a `diameter`, or another shape"));
+    }
+    notes
+}

@@ -1,0 +1,368 @@
+//! Ropes, canopies and bodies as stiffness, damping and mass: the segments of the system and the masses of its nodes.
+
+use std::f64::consts::PI;
+
+use netcast_dynamics::forces::bending::Bending;
+use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
+use netcast_dynamics::system::Segment;
+use netcast_scenario::{Canopy, Damping, Diagnostics, Rope, RopeRow, Scenario};
+use netcast_webs::{Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
+
+use super::assignment::{self, rings};
+use super::draft::Draft;
+use super::{canopy_links, rope_law};
+
+/// A segment of the system and what it is a part of.
+#[derive(Debug, Clone, Copy)]
+pub struct Member {
+    /// As the system has it.
+    pub segment: Segment,
+    /// What it is a part of.
+    pub part: Part,
+}
+
+/// What a segment is a part of; numbers count from 0.
+#[derive(Debug, Clone, Copy)]
+pub enum Part {
+    Rope(CutSegment),
+    Spoke { canopy: usize, number: usize },
+    Side { canopy: usize, number: usize },
+    Tie { number: usize },
+    Stitch { row: usize, number: usize },
+}
+
+impl Member {
+    /// What a message calls it.
+    pub fn label(&self, cut: &CutWeb) -> String {
+        let of = |what: &str, number: usize, canopy: usize| {
+            format!("{what} {} of canopy {}", number + 1, cut.web.canopies[canopy].number)
+        };
+        match self.part {
+            Part::Rope(segment) => cut.segment_label(&segment),
+            Part::Spoke { canopy, number } => of("spoke", number, canopy),
+            Part::Side { canopy, number } => of("side", number, canopy),
+            Part::Tie { number } => {
+                let [node, other] = self.segment.ends;
+                let to = if other < cut.nodes.len() { format!(" to {}", cut.node_label(other)) } else { String::new() };
+                format!("break tie {} at {}{to}", number + 1, cut.node_label(node))
+            }
+            Part::Stitch { row, number } => format!("stitch {} of row {}", number + 1, row + 1),
+        }
+    }
+
+    /// Whether it is a piece of rope.
+    pub fn is_rope(&self) -> bool {
+        matches!(self.part, Part::Rope(_))
+    }
+}
+
+/// Segments of one link class that are made of one kind of rope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// Their link class.
+    pub class: Class,
+    /// The name of their rope, `rope` for the default one; none for members of canopies, ties and stitches.
+    pub rope: Option<String>,
+    /// Diameter of the rope, m; none for the members of canopies.
+    pub diameter: Option<f64>,
+    /// Its breaking load, N, where it is given.
+    pub strength: Option<f64>,
+    /// The share of its strength that knots take from it, where it is given.
+    pub knot_reduction: Option<f64>,
+    /// By which its tension follows from its stretch.
+    pub law: Law,
+    /// What it bears at most away from knots; the weakest of ties and stitches.
+    pub breaking: Breaking,
+}
+
+impl Group {
+    /// Segments that are no rope: members of canopies, ties, stitches.
+    pub(crate) fn of_threads(class: Class, breaking: Breaking) -> Group {
+        Group { class, rope: None, diameter: None, strength: None, knot_reduction: None, law: Law::Linear, breaking }
+    }
+}
+
+/// What a body is there for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// Pulls the web out.
+    Tractor,
+    /// Is carried.
+    Payload,
+    /// Sits in the middle.
+    Sensor,
+}
+
+/// A body and the node that it sits on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacedBody {
+    /// What it is there for.
+    pub role: Role,
+    /// Its node.
+    pub node: usize,
+    /// Its size and mass.
+    pub solid: netcast_scenario::Solid,
+    /// The system's rigid body that it is; none for a mass on a node.
+    pub rigid: Option<usize>,
+}
+
+/// A rope from knot to knot, as `[assign]` can name it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Its link class.
+    pub class: Class,
+    /// Its ring, from 1 in the middle, where it is of class `ring`.
+    pub ring: Option<usize>,
+    /// The name of its rope, `rope` for the default one.
+    pub rope: String,
+    /// Its length without tension as drawn, m.
+    pub length: f64,
+}
+
+/// The links of a web whose segments and groups these are, in the order of the web.
+pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> Vec<Link> {
+    let rings = rings(web);
+    let first_pieces = members.iter().filter_map(|member| match member.part {
+        Part::Rope(CutSegment { place: 0, rope, .. }) => Some((rope, member.segment.class)),
+        _ => None,
+    });
+    let link = |(rope, group): (usize, usize)| Link {
+        name: web.ropes[rope].label.clone(),
+        class: web.ropes[rope].class.clone(),
+        ring: rings[rope],
+        rope: groups[group].rope.clone().unwrap_or_default(),
+        length: web.rest_length(&web.ropes[rope]),
+    };
+    first_pieces.map(link).collect()
+}
+
+/// Finds each pair of link class and rope that the web has, in order of class, with the law of the rope.
+pub fn groups(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, groups, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let mut found = Vec::new();
+    let mut law_of = |kind: usize| {
+        let (name, rope) = known[kind];
+        let is_used = kinds.contains(&kind);
+        let law = is_used.then(|| rope_law::law(document, &assignment::table_of(name), rope));
+        law.and_then(|law| law.map_err(|Diagnostics(wrong)| found.extend(wrong)).ok())
+    };
+    let laws: Vec<Option<Law>> = (0..known.len()).map(&mut law_of).collect();
+    Diagnostics::fail_if_any(found)?;
+    for (rope, &kind) in cut.web.ropes.iter().zip(&*kinds) {
+        let ((name, made_of), Some(law)) = (known[kind], &laws[kind]) else { continue };
+        if !groups.iter().any(|known| known.class == rope.class && known.rope.as_deref() == Some(name)) {
+            groups.push(Group {
+                class: rope.class.clone(),
+                rope: Some(name.to_owned()),
+                diameter: Some(made_of.diameter.si()),
+                strength: made_of.strength.map(|strength| strength.si()),
+                knot_reduction: made_of.knot_reduction.map(|share| share.si()),
+                law: law.clone(),
+                breaking: rope_law::breaking(made_of, false),
+            });
+        }
+    }
+    if let Some(Canopy::Links(_)) = canopy_of(scenario, cut) {
+        groups.push(Group::of_threads(Class::Canopy, Breaking::NEVER));
+    }
+    groups.sort_by(|one, other| (&one.class, &one.rope).cmp(&(&other.class, &other.rope)));
+    Ok(())
+}
+
+/// The canopies of a web; none where it has none.
+pub fn canopy_of(scenario: &Scenario, cut: &CutWeb) -> Option<Canopy> {
+    (!cut.web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default())
+}
+
+/// The number of the group of a class and a rope.
+pub fn group_number(groups: &[Group], class: &Class, rope: Option<&str>) -> usize {
+    let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
+    groups.iter().position(is_it).expect("every class is listed with its ropes")
+}
+
+/// Makes the segments of the web's ropes, and puts their masses on its nodes.
+pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, groups, members, parts, .. } = draft;
+    let (web, rows, known) = (&cut.web, assignment::rows(document), assignment::ropes(scenario));
+    let group_of_rope: Vec<usize> =
+        web.ropes.iter().zip(&*kinds).map(|(r, &kind)| group_number(groups, &r.class, Some(known[kind].0))).collect();
+    parts.mass = vec![0.0; cut.nodes.len()];
+    members.reserve(cut.segment_count());
+    for segment in cut.segments() {
+        let rope = &web.ropes[segment.rope];
+        let kind = known[kinds[segment.rope]].1;
+        let pretension = pretension(rope.rest_length.is_some(), kind, rows.get(segment.rope));
+        let (group, ends) = (group_of_rope[segment.rope], [segment.a, segment.b]);
+        let piece = Piece::new(kind, &groups[group].law, segment.rest_length, pretension);
+        let breaking = rope_law::breaking(kind, ends.iter().any(|&end| end < web.knots.len()));
+        let piece = Segment { breaking, ..piece.between(ends, group, &mut parts.mass) };
+        members.push(Member { segment: piece, part: Part::Rope(segment) });
+    }
+    Ok(())
+}
+
+/// Finds where ropes resist bending: at every node inside a rope that has a bending stiffness. Knots turn freely.
+pub fn bends(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, kinds, parts, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let mut found = Vec::new();
+    for (rope, &kind) in kinds.iter().enumerate() {
+        let (name, kind) = known[kind];
+        let Some(stiffness) = kind.bending_stiffness else { continue };
+        let Piece { rest_length, damping, stiffness: axial, .. } =
+            Piece::new(kind, &Law::Linear, cut.ropes[rope].segment_length, 0.0);
+        for nodes in cut.nodes_of(rope).windows(3) {
+            let nodes = [nodes[0], nodes[1], nodes[2]];
+            match Bending::new(nodes, [rest_length; 2], stiffness.si(), damping / axial) {
+                Ok(bend) => parts.bends.push(bend),
+                Err(error) => {
+                    let path = assignment::table_of(name).key("bending_stiffness");
+                    found.push(document.diagnostic(&path.to_string(), error.to_string()));
+                    break;
+                }
+            }
+        }
+    }
+    Diagnostics::fail_if_any(found)
+}
+
+/// Puts on the nodes what weighs on them beside ropes and canopies, and binds together what is rigid.
+pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, cut, canopies, bodies, parts, .. } = draft;
+    for body in &*bodies {
+        if !canopies.carry(body, cut) {
+            parts.mass[body.node] += body.solid.mass_kg;
+        }
+    }
+    for (node, row) in document.files.graph.iter().flat_map(|g| &g.nodes).enumerate() {
+        parts.mass[node] += row.mass_kg;
+    }
+    canopies.bind(cut, &mut parts.mass);
+    Ok(())
+}
+
+/// Lists the materials.
+pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { scenario, cut, kinds, bodies, .. } = draft;
+    let known = assignment::ropes(scenario);
+    let cloth = canopy_of(scenario, cut).map(|canopy| canopy.mass_and_volume());
+    let cloth = cloth.map_or(Solid::default(), |(mass, volume)| Solid { mass, volume });
+    let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
+    let tractor_masses = tractors.map(|body| body.solid.mass_kg).collect();
+    let payload =
+        scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg, volume: p.shape.volume_m3() });
+    let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy: cloth, payload, tractor_masses };
+    for (name, rope) in kinds.iter().map(|&kind| known[kind]) {
+        let kind = RopeKind {
+            name: name.to_owned(),
+            diameter: rope.diameter.si(),
+            mass_per_metre: rope.density.si() * section(rope),
+        };
+        let known = parts.ropes.iter().position(|k| *k == kind).unwrap_or_else(|| {
+            parts.ropes.push(kind);
+            parts.ropes.len() - 1
+        });
+        parts.kind_of_rope.push(known);
+    }
+    draft.bill = Some(bill(&cut.web, &parts));
+    Ok(())
+}
+
+/// Puts payloads, sensor and tractors where they sit.
+pub fn place_bodies(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let (scenario, web) = (&draft.scenario, &draft.cut.web);
+    let on_canopies = web.canopies.iter().filter_map(|canopy| {
+        let (role, solid) = match canopy.carries_payload {
+            true => (Role::Payload, scenario.payload_solid()),
+            false => (Role::Sensor, scenario.sensor_solid().filter(|_| canopy.is_centre)),
+        };
+        Some(PlacedBody { role, node: canopy.hub, solid: solid?, rigid: None })
+    });
+    let tractors = web.tractors.iter().enumerate().filter_map(|(corner, &node)| {
+        Some(PlacedBody { role: Role::Tractor, node, solid: scenario.tractor_solid(corner as u32 + 1)?, rigid: None })
+    });
+    draft.bodies = on_canopies.chain(tractors).collect();
+    Ok(())
+}
+
+/// Area of a rope's cross-section, m^2.
+pub(super) fn section(rope: &Rope) -> f64 {
+    0.25 * PI * rope.diameter.si() * rope.diameter.si()
+}
+
+/// Tension as drawn, N. A rope whose rest length is given has the tension that follows from it.
+fn pretension(has_rest_length: bool, rope: &Rope, row: Option<&RopeRow>) -> f64 {
+    let own = row.and_then(|r| r.pretension_n);
+    if has_rest_length { own.unwrap_or(0.0) } else { own.unwrap_or(rope.pretension.si()) }
+}
+
+/// A segment before it has a place.
+struct Piece {
+    rest_length: f64,
+    stiffness: f64,
+    damping: f64,
+    mass: f64,
+}
+
+impl Piece {
+    /// A segment of rope `drawn` metres long under `pretension`, N: its rest length is shorter by the strain that its law
+    /// has there.
+    fn new(rope: &Rope, law: &Law, drawn: f64, pretension: f64) -> Piece {
+        let area = section(rope);
+        let axial_stiffness = rope.elastic_modulus.si() * area;
+        let rest_length = drawn / (1.0 + law.strain_under(pretension, axial_stiffness));
+        let mass = rope.density.si() * area * rest_length;
+        let stiffness = axial_stiffness / rest_length;
+        let damping = match rope.damping() {
+            Damping::Time(time) => damping_from_time(axial_stiffness, time, rest_length),
+            Damping::Ratio(ratio) => damping_from_ratio(ratio, stiffness, mass),
+        };
+        Piece { rest_length, stiffness, damping, mass }
+    }
+
+    /// A member of a canopy.
+    fn of_canopy(made: &canopy_links::Members, stiffness: f64, mass: f64) -> Piece {
+        let damping = damping_from_ratio(made.damping_ratio, stiffness, mass);
+        Piece { rest_length: made.length, stiffness, damping, mass }
+    }
+
+    /// The segment between these nodes; half its mass goes to each.
+    fn between(&self, ends: [usize; 2], class: usize, mass: &mut [f64]) -> Segment {
+        for end in ends {
+            mass[end] += 0.5 * self.mass;
+        }
+        let &Piece { rest_length, stiffness, damping, .. } = self;
+        Segment { ends, rest_length, stiffness, damping, class, breaking: Breaking::NEVER }
+    }
+}
+
+/// Adds the members of all canopies: spokes in three straight lines through the hub, then the sides round the rim, runs as
+/// long as they can be.
+pub fn add_links(
+    cut: &CutWeb,
+    made: &canopy_links::Members,
+    class: usize,
+    members: &mut Vec<Member>,
+    mass: &mut [f64],
+) {
+    let spoke = Piece::of_canopy(made, made.spoke_stiffness, made.spoke_mass);
+    let side = Piece::of_canopy(made, made.side_stiffness, made.side_mass);
+    let mut add = |piece: &Piece, ends: [usize; 2], part: Part| {
+        members.push(Member { segment: piece.between(ends, class, mass), part });
+    };
+    for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
+        for number in [0, 3, 1, 4, 2, 5] {
+            let ends = if number < 3 { [hexagon.rim[number], hexagon.hub] } else { [hexagon.hub, hexagon.rim[number]] };
+            add(&spoke, ends, Part::Spoke { canopy, number });
+        }
+        for number in 0..6 {
+            let ends = [hexagon.rim[number], hexagon.rim[(number + 1) % 6]];
+            add(&side, ends, Part::Side { canopy, number });
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What a user may not have expected of a model.
+
+use glam::DVec3;
+use netcast_dynamics::air::wind::Wind;
+use netcast_dynamics::state::State;
+use netcast_dynamics::system::System;
+use netcast_scenario::Diagnostics;
+
+use super::draft::Draft;
+use super::exposure;
+use super::launch::{Throw, Thrown};
+
+/// Adds what is to be said of the model as a whole.
+pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { scenario, cut, throws, state, air, system, falls, notes, .. } = draft;
+    let Some((system, _)) = system else { return Ok(()) };
+    if scenario.measure.target_diameter.is_some() && cut.cells().is_empty() {
+        notes.push("the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned());
+    }
+    notes.extend(launched_and_held(system, throws));
+    notes.extend(exposure::notes(scenario, air.as_ref(), *falls));
+    notes.extend(ill_begun(system, state));
+    Ok(())
+}
+
+/// Tractors that are thrown and stay put.
+fn launched_and_held(system: &System, throws: &[Option<Throw>]) -> Option<String> {
+    let is_both = |throw: &&Throw| system.held()[throw.node] && throw.by != Thrown::At(DVec3::ZERO);
+    let (count, all) = (throws.iter().flatten().filter(is_both).count(), throws.len());
+    (count > 0).then(|| format!("{count} of {all} tractors are held by [hold] or [drive]: they are not launched"))
+}
+
+/// A net at rest that nothing moves.
+fn ill_begun(system: &System, state: &State) -> Option<String> {
+    let still = state.velocity.iter().all(|v| *v == DVec3::ZERO) && system.launchers().is_empty();
+    let unloaded = system.environment().gravity == DVec3::ZERO && system.loads().is_empty();
+    let calm = system.environment().air.as_ref().is_none_or(|air| air.wind == Wind::none());
+    let slack = system.segments().iter().all(|s| {
+        let [a, b] = s.ends;
+        (state.position[b] - state.position[a]).length() <= s.rest_length
+    });
+    let weightless = system.environment().orbit.is_none();
+    (still && unloaded && weightless && calm && slack && system.drives().is_empty())
+        .then(|| "nothing moves: there is no launch, no gravity and no tension at the start".to_owned())
+}

@@ -1,0 +1,67 @@
+//! A web that is led into its container: what is led, along which paths.
+
+use glam::DVec3;
+use netcast_scenario::dimension::Dimension;
+use netcast_scenario::interval::{PackingTime, Within};
+use netcast_scenario::path::Path;
+use netcast_scenario::{Diagnostic, Diagnostics, Document, PrescribedStow};
+use netcast_webs::{CutWeb, DrivenNode, Prescribed, StiffPlate};
+
+use super::drives::Drives;
+use super::stowing::mouth;
+
+/// The packing of a web whose nodes have `mass`, kg, and whose canopies keep their shape as `plates`.
+pub fn prescribed(
+    document: &Document,
+    cut: &CutWeb,
+    stow: &PrescribedStow,
+    mass: &[f64],
+    plates: Vec<StiffPlate>,
+) -> Result<Prescribed, Diagnostics> {
+    let flat = vec![DVec3::ZERO; cut.nodes.len()];
+    let named = Drives { table: DRIVES, drives: &stow.drive, files: &document.files.stow_paths };
+    let mut found = late_points(document, stow);
+    let led = named.resolve(document, cut, &flat).unwrap_or_else(|Diagnostics(wrong)| {
+        found.extend(wrong);
+        Vec::new()
+    });
+    Diagnostics::fail_if_any(found)?;
+    let is_web = cut.is_web();
+    if let Some(drive) = led.iter().find(|drive| !is_web[drive.node]) {
+        let message =
+            format!("{} is no part of the web itself: it is placed when that is packed", cut.node_label(drive.node));
+        return Err(document.diagnostic(DRIVES, message).into());
+    }
+    Ok(Prescribed {
+        radius: stow.radius.si(),
+        depth: stow.depth.map(|depth| depth.si()),
+        paths: led.into_iter().map(|drive| DrivenNode { node: drive.node, path: drive.path }).collect(),
+        time: stow.time.si(),
+        gravity: stow.gravity.si(),
+        damping: stow.damping.si(),
+        rest: stow.rest.si(),
+        longest: stow.longest.si(),
+        mass: mass.to_vec(),
+        plates,
+        mouth: mouth(stow.tractor_radius, stow.tractor_gap),
+    })
+}
+
+/// Paths that do not end within the time that there is for a packing.
+fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
+    let late = stow.drive.iter().filter_map(|(name, drive)| {
+        let path = Path::parse(DRIVES).key(name);
+        let listed = drive.path.iter().flatten().enumerate();
+        let listed = listed.map(|(index, point)| (path.key("path").index(index).key("time"), point.time.si()));
+        let rows = document.files.stow_paths.get(name).into_iter().flatten();
+        let points = listed.chain(rows.map(|row| (path.key("file"), row.time_s)));
+        let (place, time) =
+            points.into_iter().find(|&(_, time)| time > 0.0 && !PackingTime::INTERVAL.contains(time))?;
+        let most = PackingTime::INTERVAL.describe(Dimension::default());
+        Some(document.diagnostic(&place.to_string(), format!("expected a time {most} s, found {time} s")))
+    });
+    late.collect()
+}
+
+/// Where what is led stands.
+const DRIVES: &str = "stow.prescribed.drive";

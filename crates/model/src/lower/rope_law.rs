@@ -1,0 +1,61 @@
+//! Laws of ropes, and when they break, as the system has them.
+
+use std::sync::Arc;
+
+use netcast_dynamics::forces::bilinear::Bilinear;
+use netcast_dynamics::forces::breaking::Breaking;
+use netcast_dynamics::forces::law::Law;
+use netcast_dynamics::forces::tabulated::{TableError, Tabulated};
+use netcast_dynamics::forces::viscoelastic::Viscoelastic;
+use netcast_scenario::path::Path;
+use netcast_scenario::{BilinearLaw, Diagnostics, Document, Rope, RopeLaw, ViscoelasticLaw};
+
+use super::material::section;
+
+/// The law of the rope whose table is at `path`.
+///
+/// # Errors
+/// Where its moduli do not fit each other, or it never comes to its pretension.
+pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnostics> {
+    let modulus = rope.elastic_modulus.si();
+    let law = match &rope.law {
+        RopeLaw::Linear(_) => Law::Linear,
+        RopeLaw::Bilinear(BilinearLaw { strain, second_modulus }) => {
+            Law::Bilinear(Bilinear { strain: strain.si(), ratio: second_modulus.si() / modulus })
+        }
+        RopeLaw::Table(table) => {
+            let file = document.files.laws.get(&table.file).expect("a document has read the tables of its ropes");
+            let law = Tabulated::new(&file.strain, &file.tension, file.unloading.as_deref());
+            let wrong = |error: TableError| file.at_row(error.row().unwrap_or(0), &error.to_string());
+            Law::Tabulated(Arc::new(law.map_err(wrong)?))
+        }
+        RopeLaw::Viscoelastic(ViscoelasticLaw { instantaneous_modulus, relaxation_time }) => {
+            let (at_once, relaxation_time) = (instantaneous_modulus.si(), relaxation_time.si());
+            if at_once <= modulus {
+                let message = format!("expected more than the elastic modulus, {modulus} Pa, to which it relaxes");
+                let place = path.key("law").key("viscoelastic").key("instantaneous_modulus");
+                return Err(document.diagnostic(&place.to_string(), message).into());
+            }
+            Law::Viscoelastic(Viscoelastic { ratio: at_once / modulus - 1.0, relaxation_time })
+        }
+        RopeLaw::Strut(_) => Law::Strut,
+    };
+    let pretension = rope.pretension.si();
+    match law.strain_under(pretension, modulus * section(rope)).is_finite() {
+        true => Ok(law),
+        false => {
+            let message = format!("by its law this rope never comes to {pretension} N");
+            Err(document.diagnostic(&path.key("pretension").to_string(), message).into())
+        }
+    }
+}
+
+/// What a segment of `rope` bears at most; `knotted` where it meets a knot.
+pub fn breaking(rope: &Rope, knotted: bool) -> Breaking {
+    let Some(breaking) = rope.breaking else { return Breaking::NEVER };
+    let left = rope.knot_reduction.filter(|_| knotted).map_or(1.0, |share| 1.0 - share.si());
+    Breaking {
+        load: breaking.load.map_or(f64::INFINITY, |load| left * load.si()),
+        strain: breaking.strain.map_or(f64::INFINITY, |strain| strain.si()),
+    }
+}

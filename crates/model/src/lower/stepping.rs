@@ -1,0 +1,141 @@
+//! How large a step may be, what sets it, and whether a run of such steps will end.
+
+use netcast_dynamics::step_size::{StepLimit, Stiff};
+use netcast_dynamics::system::{Segment, System};
+use netcast_scenario::quantity::Number;
+use netcast_scenario::{Diagnostics, Document, Scenario, Solve};
+use netcast_webs::{Class, CutWeb};
+
+use super::draft::Draft;
+use super::drawing::two_digits;
+use super::material::{Group, Member};
+
+use crate::Model;
+
+/// Beyond, a step resolves the waves in a segment too poorly for tensions to be read, however the energy closes.
+const LARGEST_FRACTION: f64 = 0.6;
+
+/// The share of the tolerance that is aimed at: a net of 30,000 segments closes two and a half times worse than the law.
+const AIM: f64 = 0.35;
+
+/// How much larger a step must become for it to be worth a word.
+const NOTABLE: f64 = 1.3;
+
+/// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
+pub const MOST_ROWS: f64 = 1e7;
+const MOST_STEPS: f64 = 1e12;
+
+impl Model {
+    /// The largest step that is wanted, s: the scenario's share of the stable one.
+    pub fn largest_dt(&self) -> f64 {
+        self.scenario.solve.step_fraction.expect("it was chosen").si() * self.limit.dt
+    }
+
+    /// What would allow a larger step, in words; none where nothing bounds it.
+    pub fn step_lift(&self) -> Option<String> {
+        let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
+        let what = match stiffest? {
+            Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].class].class {
+                Class::Canopy => "canopies".to_owned(),
+                Class::Tie => "break ties".to_owned(),
+                Class::Stitch => "stitches".to_owned(),
+                class => format!("{class} ropes"),
+            },
+            Stiff::Effect { name: "bending", .. } => "bending of ropes".to_owned(),
+            Stiff::Effect { name: "sheet", .. } => "sheets".to_owned(),
+            Stiff::Effect { name: "bending of a sheet", .. } => "bending of sheets".to_owned(),
+            Stiff::Effect { name: "ground", .. } => return Some("a longer environment.ground.contact_time".to_owned()),
+            Stiff::Effect { name: "drag", .. } => {
+                return Some("heavier or thinner parts, a thinner medium, or less speed".to_owned());
+            }
+            Stiff::Effect { name, .. } => name.to_owned(),
+        };
+        let times = |allowed: f64| format!("{:.1} times the step", allowed / dt);
+        Some(if without_damping > NOTABLE * dt {
+            format!("less damping in the {what} (without any, {})", times(without_damping))
+        } else if elsewhere.is_finite() && elsewhere > NOTABLE * dt {
+            format!("softer, heavier or longer segments in the {what} (the rest allows {})", times(elsewhere))
+        } else {
+            "longer or softer segments (solve.segment_length)".to_owned()
+        })
+    }
+
+    /// What sets the step, in words; none where nothing bounds it.
+    pub fn limited_by(&self) -> Option<String> {
+        limited_by(&self.limit, &self.cut, &self.members)
+    }
+}
+
+/// The share of the stability limit at which a web's energy balance closes to what is asked, with room to
+/// spare; where the scenario does not give the share itself.
+///
+/// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
+/// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
+/// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
+fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
+    let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
+    // a few threads that are gone soon lose nothing, and gain little
+    let lasting = system.segments().iter().filter(|s| !groups[s.class].class.is_made_to_break());
+    let ratio = lasting.map(least).fold(f64::INFINITY, f64::min);
+    let share = |asked: f64, undamped: f64, halved_at: f64| {
+        let at_a_quarter = undamped / (1.0 + ratio / halved_at);
+        0.25 * libm::pow(AIM * asked / at_a_quarter, 1.0 / 3.5)
+    };
+    let all = share(solve.energy_tolerance.si(), 0.0069, 0.0055);
+    let web = share(solve.web_energy_tolerance.si(), 0.0101, 0.0123);
+    two_digits(all.min(web).clamp(0.01, LARGEST_FRACTION))
+}
+
+/// A segment's damping, N s/m, as a share of its own critical damping, from what it is at the stability limit `dt` of a
+/// rope of such segments, `stiffness` N/m: c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
+fn damping_ratio(damping: f64, stiffness: f64, dt: f64) -> f64 {
+    let at_limit = damping / (stiffness * dt);
+    0.5 * at_limit / (1.0 + 4.0 * at_limit).sqrt()
+}
+
+/// Chooses how large the step is, where the scenario leaves that out, and checks that the run will end.
+pub fn choose(draft: &mut Draft) -> Result<(), Diagnostics> {
+    let Draft { document, scenario, cut, groups, members, system, .. } = draft;
+    let Some((system, limit)) = system else { return Ok(()) };
+    let chosen = step_fraction(system, groups, limit, &scenario.solve);
+    scenario.solve.step_fraction.get_or_insert(Number::constant(chosen));
+    affordable(document, scenario, limit, cut, members)
+}
+
+/// That the run will end.
+fn affordable(
+    document: &Document,
+    scenario: &Scenario,
+    limit: &StepLimit,
+    cut: &CutWeb,
+    members: &[Member],
+) -> Result<(), Diagnostics> {
+    let (duration, every) = (scenario.solve.run_time().unwrap_or(0.0), scenario.record.every.si());
+    let largest_dt = scenario.solve.step_fraction.map_or(1.0, |f| f.si()) * limit.dt;
+    let steps = duration / largest_dt;
+    let mut found = Vec::new();
+    if duration / every > MOST_ROWS {
+        let message = format!("{:.3e} records are too many; at most {MOST_ROWS:e} are allowed", duration / every);
+        found.push(document.diagnostic("record.every", message).with_help("record less often, or for a shorter time"));
+    }
+    if steps > MOST_STEPS || steps.is_nan() {
+        let what = limited_by(limit, cut, members).unwrap_or("the step".into());
+        let message = format!("{steps:.3e} steps of {largest_dt:.3e} s are too many; {what} asks for such a step");
+        found.push(document.diagnostic("solve.duration", message));
+    }
+    Diagnostics::fail_if_any(found)
+}
+
+/// What sets the step, in words.
+fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<String> {
+    // a rigid body's centre is no node of the web
+    let place = if limit.node < cut.nodes.len() { cut.node_label(limit.node) } else { "a rigid body".to_owned() };
+    let at = |what: &str| format!("{what} at {place}");
+    Some(match limit.stiffest? {
+        Stiff::Segment(segment) => members[segment].label(cut),
+        Stiff::Effect { name: "bending", .. } => at("the bending of a rope"),
+        Stiff::Effect { name: "sheet", .. } => at("a sheet"),
+        Stiff::Effect { name: "drag", .. } => at("the drag of the medium"),
+        Stiff::Effect { name, .. } => at(&format!("the {name}")),
+    })
+}
