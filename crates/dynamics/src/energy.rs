@@ -1,4 +1,4 @@
-//! Where the energy is and where it went.
+//! The energy ledger: stored energy by channel, lost energy by channel, and how well they balance.
 
 use std::ops::Index;
 
@@ -12,12 +12,12 @@ use crate::rope_state::RopeState;
 use crate::state::State;
 use crate::system::System;
 
-/// The energy balance at one time, J, a value a channel. What is stored is computed from the state; what was lost is the
-/// integral of its own power or work, step by step (trapezoidal rule). None is found by difference.
+/// The energy balance at one time, J, one value for each channel. Stored energy is computed from the state. Lost energy is
+/// integrated step by step from its own power or work (trapezoidal rule). No channel is found by difference.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ledger {
     channels: ByChannel,
-    /// Of the kinetic energy, that of the web: of everything but the tractors.
+    /// Kinetic energy of the web alone, without the tractors, J.
     pub kinetic_web: f64,
 }
 
@@ -30,13 +30,13 @@ impl Index<Channel> for Ledger {
 }
 
 impl Ledger {
-    /// What a system has stored at a start, with nothing lost yet.
+    /// Energy stored in a system at the start, where nothing is lost yet.
     pub fn at_start(system: &System, state: &State) -> Ledger {
         let ropes = RopeState::at_rest(system, &state.position);
         Ledger::of(system, state, &ropes, Some(&Effects::at_rest(system.parts())))
     }
 
-    /// The energy that follows from a state, and the hysteresis that `ropes` remember.
+    /// Energy stored in a state, and hysteresis, the one loss that a state tells.
     pub(crate) fn of(system: &System, state: &State, ropes: &RopeState, effects: Option<&Effects>) -> Ledger {
         let mut ledger = Ledger::default();
         ledger.add_kinetic(system, state);
@@ -71,7 +71,7 @@ impl Ledger {
         }
     }
 
-    /// What is stored, kinetic and potential.
+    /// Stored energy, kinetic and potential, J.
     pub fn stored(&self) -> f64 {
         self.total(Channel::is_stored)
     }
@@ -81,7 +81,7 @@ impl Ledger {
         self.channels.sum()
     }
 
-    /// What is missing (or too much) since `start`.
+    /// Energy missing (or gained) since `start`, J.
     pub fn residual(&self, start: &Ledger) -> f64 {
         self.sum() - start.sum()
     }
@@ -128,7 +128,7 @@ impl Balance {
         self.start.sum()
     }
 
-    /// What missing energy is counted from.
+    /// The ledger from which missing energy is counted.
     pub(crate) fn start(&self) -> &Ledger {
         &self.start
     }
@@ -153,7 +153,7 @@ fn ratio(residual: f64, energy: f64) -> f64 {
     if residual == 0.0 { 0.0 } else { residual / energy.max(f64::MIN_POSITIVE) }
 }
 
-/// Running integrals of what is lost.
+/// Running integrals of lost energy.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Losses {
     work: ByChannel,
@@ -161,7 +161,7 @@ pub(crate) struct Losses {
 }
 
 impl Losses {
-    /// Adds the work of the forces of a step, since those of the step before.
+    /// Adds the work of a step's forces since the forces of the step before, J.
     pub fn add_work(&mut self, work: &ByChannel) {
         for &channel in Channel::ALL {
             self.work[channel] += work[channel];
@@ -176,7 +176,7 @@ impl Losses {
         self.mass.add(power, dt);
     }
 
-    /// Adds to `stored` what was lost, where the power of mass damping at that state, W, has not been added yet.
+    /// `stored` plus the lost energy. `mass_power`, W, is that of mass damping at this state, not yet added.
     pub fn ledger(&self, stored: Ledger, mass_power: f64, dt: f64) -> Ledger {
         let (mut ledger, mut mass) = (stored, self.mass);
         mass.add(mass_power, dt);

@@ -31,11 +31,11 @@ pub struct Frame<'s> {
     pub velocity: &'s [DVec3],
     /// Rotations of rigid bodies, (bodies,).
     pub rotation: &'s [Rotation],
-    /// Tensions, N, (segments,); NaN where a segment is gone.
+    /// Tensions, N, (segments,); NaN where a segment is broken.
     pub tension: &'s [f64],
     /// The energy balance.
     pub ledger: Ledger,
-    /// What the balance misses since the start, J.
+    /// Residual of the balance since the start, J.
     pub residual: f64,
     /// The net between its forces and its advance, for what is not in the fields above, such as the forces of one effect.
     pub net: &'s Stepper<'s>,

@@ -1,6 +1,6 @@
 //! Sums and maxima over slots in a fixed order, whatever the width of the machine's vectors.
 
-/// Sums over segments run in so many interleaved parts, whatever the width of the machine's vectors.
+/// Number of interleaved parts of a sum, whatever the width of the machine's vectors.
 pub(crate) const LANES: usize = 8;
 
 /// The parts of a sum in a fixed order.
@@ -12,7 +12,7 @@ pub(crate) fn sum_lanes(lanes: [f64; LANES]) -> f64 {
 /// One value a slot for each of x, y, z.
 pub(crate) type Components = [Vec<f64>; 3];
 
-/// Nothing in `length` slots.
+/// Zeros in `length` slots.
 pub(crate) fn zeros(length: usize) -> Components {
     std::array::from_fn(|_| vec![0.0; length])
 }

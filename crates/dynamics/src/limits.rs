@@ -1,4 +1,4 @@
-//! What a run may miss before it has gone wrong, looked at whenever it is recorded.
+//! Limits of energy error and of step length, checked at every record.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use crate::energy::Balance;
 use crate::frame::Frame;
 use crate::system::System;
 
-/// What a run is held to.
+/// Largest errors that a run may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Largest [`Balance::closure`]. That of the web can be judged at the end only: its largest energy comes late.
@@ -18,7 +18,7 @@ pub struct Limits {
     pub stops: bool,
 }
 
-/// What exceeded its limit.
+/// The quantity that exceeds its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Term {
     /// The energy balance, over the largest energy of the run.
@@ -45,7 +45,7 @@ pub struct Excess {
 }
 
 impl Limits {
-    /// Nothing is asked.
+    /// No limit.
     pub const NONE: Limits = Limits { closure: f64::INFINITY, sweep: f64::INFINITY, stops: false };
 
     /// The first limit that a run exceeds at a record, with steps of `dt` s.
@@ -58,7 +58,7 @@ impl Limits {
             return Some(excess(Term::Closure, closure, self.closure, hardest));
         }
         let sweeps = system.segments().iter().zip(frame.tension).map(|(s, tension)| {
-            // the ends of one that is gone part as they will
+            // a broken segment no longer limits how fast its ends move apart
             if tension.is_nan() {
                 return 0.0;
             }
@@ -73,7 +73,7 @@ impl Limits {
 
 /// The largest of some values and its index; the first of equals.
 fn largest(values: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
-    values.enumerate().reduce(|one, other| if other.1 > one.1 { other } else { one })
+    values.enumerate().reduce(|best, next| if next.1 > best.1 { next } else { best })
 }
 
 impl std::fmt::Display for Excess {

@@ -11,9 +11,9 @@ use crate::forces::mass_damping;
 pub struct StepFactors {
     /// Step, s.
     pub dt: f64,
-    /// What a half-step velocity keeps.
+    /// Factor of the half-step velocity before.
     pub p: f64,
-    /// What an acceleration adds to it, s.
+    /// Factor of the acceleration, s.
     pub q: f64,
 }
 

@@ -1,16 +1,16 @@
-//! Who watches a run.
+//! The interface through which a caller watches a run.
 
 use crate::frame::{Frame, Live};
 use crate::limits::Limits;
 use crate::snapshot::Snapshot;
 
-/// Who watches a run; it may be called from another thread than the one that started the run.
+/// Watches a run; it may be called from another thread than the one that started the run.
 pub trait Observer: Send {
     /// After every step.
     fn step(&mut self, live: &Live);
     /// At every record time, the start and the end among them.
     fn record(&mut self, frame: &Frame);
-    /// What the run is held to, asked at its start.
+    /// Limits of the run, asked at its start.
     fn limits(&self) -> Limits {
         Limits::NONE
     }

@@ -16,25 +16,25 @@ use crate::forces::orbit::Orbit;
 use crate::forces::segment::Segment;
 use crate::launcher::Launcher;
 
-/// What surrounds the net.
+/// Surroundings of the net: gravity, damping, air, ground, orbit.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Environment {
     /// Acceleration of gravity, m/s^2, as a vector in the world frame.
     pub gravity: DVec3,
     /// Mass-proportional damping, 1/s: a force -damping * m * v on every node.
     pub mass_damping: f64,
-    /// What drags at it, if anything.
+    /// Air, or another medium, that drags at the net.
     pub air: Option<Air>,
-    /// What it can land on, if anything.
+    /// Ground that the net can land on.
     pub ground: Option<Ground>,
-    /// The orbit that it flies beside, if any.
+    /// Circular orbit beside which the net flies.
     pub orbit: Option<Orbit>,
 }
 
-/// What a [`System`](crate::system::System) is made from; [`SystemParts::build`] checks it.
+/// Plain data from which a [`System`](crate::system::System) is built; [`SystemParts::build`] checks it.
 #[derive(Debug, Clone, Default)]
 pub struct SystemParts {
-    /// Mass of each node, kg; shape (nodes,). What a rigid body carries has none.
+    /// Mass of each node, kg; shape (nodes,). A tie of a rigid body has none.
     pub mass: Vec<f64>,
     /// Whether a node stays where it is; shape (nodes,).
     pub held: Vec<bool>,
@@ -56,11 +56,11 @@ pub struct SystemParts {
     pub bodies: Vec<Body>,
     /// Nodes that are moved along paths; they are held as well. The centre of a body must be that of its mass.
     pub drives: Vec<Drive>,
-    /// What holds nodes and throws them.
+    /// Launchers, which hold nodes and throw them.
     pub launchers: Vec<Launcher>,
     /// Effects of the caller's own.
     pub custom: Vec<Box<dyn CustomEffect>>,
-    /// What surrounds it.
+    /// Surroundings.
     pub environment: Environment,
 }
 

@@ -1,4 +1,4 @@
-//! What evolves of ropes beside their nodes: what a law remembers, and what is broken.
+//! State of ropes beside the positions of their nodes: the state of their laws, and which segments are broken.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -6,17 +6,17 @@ use serde::{Deserialize, Serialize};
 use crate::forces::law::{Axial, Memory};
 use crate::system::System;
 
-/// What evolves of the segments beside their nodes.
+/// State of all segments beside the positions of their nodes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RopeState {
-    /// What each remembers, (segments,); empty where no law of the system remembers.
+    /// State of each segment's law, (segments,); empty where no law of the system has state.
     pub memory: Vec<Memory>,
     /// Whether each is broken, (segments,).
     pub broken: Vec<bool>,
 }
 
 impl RopeState {
-    /// Of a system that has been at these positions, m, for long, nothing broken.
+    /// The state of a system at rest at these positions, m, with no broken segment.
     pub fn at_rest(system: &System, position: &[DVec3]) -> RopeState {
         let segments = system.segments().iter();
         let memory = segments.clone().map(|s| system.law(s).at_rest(s.stretch(position)));
@@ -26,12 +26,12 @@ impl RopeState {
         }
     }
 
-    /// What a segment remembers.
+    /// State of a segment's law.
     pub fn memory_of(&self, segment: usize) -> Memory {
         self.memory.get(segment).copied().unwrap_or_default()
     }
 
-    /// A segment along itself, as it is now.
+    /// A segment's rest length, stiffness and damping; [`Axial::GONE`] where it is broken.
     pub fn axial(&self, system: &System, segment: usize) -> Axial {
         if self.broken[segment] { Axial::GONE } else { Axial::from(&system.segments()[segment]) }
     }

@@ -13,7 +13,7 @@ use crate::state::State;
 use crate::system::System;
 use crate::time::step::{Failure, StepSums, Stepper};
 
-/// Closure from which a run has diverged. What the step has made up counts in the largest energy too, so that a closure
+/// Closure from which a run has diverged. Energy that the step creates counts in the largest energy too, so that a closure
 /// stays below 1 however far a run diverges: here, a hundred times what there was.
 const DIVERGED: f64 = 0.99;
 
@@ -107,9 +107,9 @@ pub fn simulate(
     let record = Record::new(system);
     let (losses, breaks) = (Losses::default(), Vec::new());
     let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses, breaks, record };
-    run.net.team().lead(|| match run.look(observer) {
+    run.net.team().lead(|| match run.show(observer) {
         Some(outcome) => outcome,
-        None => run.go_on(observer),
+        None => run.run_to_end(observer),
     })
 }
 
@@ -134,7 +134,7 @@ pub fn resume(
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
     let (step, losses, breaks) = (motion.step, *losses, breaks.clone());
     let mut run = Run { net, schedule, limits: observer.limits(), step, losses, breaks, record };
-    run.net.team().lead(|| run.go_on(observer))
+    run.net.team().lead(|| run.run_to_end(observer))
 }
 
 /// A run under way.
@@ -151,29 +151,29 @@ struct Run<'a> {
 
 impl Run<'_> {
     /// From a record to the end.
-    fn go_on(&mut self, observer: &mut dyn Observer) -> Outcome {
+    fn run_to_end(&mut self, observer: &mut dyn Observer) -> Outcome {
         loop {
             let sums = self.net.advance();
-            self.stepped(sums, observer);
+            self.add_step(sums, observer);
             while !self.schedule.records(self.step) {
                 let sums = self.net.step();
-                self.pulled(&sums);
+                self.add_forces(&sums);
                 if !sums.work[Channel::RopeDamping].is_finite() {
                     return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
                 }
-                self.stepped(sums, observer);
+                self.add_step(sums, observer);
             }
-            if let Some(outcome) = self.look(observer) {
+            if let Some(outcome) = self.show(observer) {
                 return outcome;
             }
         }
     }
 
     /// Shows the net to the observer between its forces and its advance. Where the run ends here, says how.
-    fn look(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
+    fn show(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
-        self.pulled(&sums);
+        self.add_forces(&sums);
         let measured = sums.work[Channel::RopeDamping].is_finite()
             && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
         if !measured {
@@ -191,8 +191,8 @@ impl Run<'_> {
         interrupted.then(|| self.outcome(Some(StepError::Interrupted { time })))
     }
 
-    /// Takes the forces of a step into account.
-    fn pulled(&mut self, sums: &StepSums) {
+    /// Adds the work of a step's forces to the losses, and notes the segments that break.
+    fn add_forces(&mut self, sums: &StepSums) {
         self.losses.add_work(&sums.work);
         if sums.failing > 0 {
             let (step, time) = (self.step, self.time());
@@ -205,8 +205,8 @@ impl Run<'_> {
         }
     }
 
-    /// Takes a step into account.
-    fn stepped(&mut self, sums: StepSums, observer: &mut dyn Observer) {
+    /// Counts a step that was taken, and shows it to the observer.
+    fn add_step(&mut self, sums: StepSums, observer: &mut dyn Observer) {
         let (dt, time) = (self.schedule.dt, self.time());
         self.losses.add_mass_power(sums.mass_power, dt);
         self.step += 1;

@@ -1,8 +1,8 @@
-//! Where a run stands: all that its future depends on.
+//! A snapshot of a run: everything on which its future depends.
 //!
 //! A snapshot is taken at a record, after the observer has seen it and before the step goes on. Positions, half-step
-//! velocities, extrapolated velocities and what ropes remember fix the forces, so neither forces nor tensions are kept: they are computed
-//! again, to the same bits. The work that ropes lose is summed from one length to the next; it is in the losses already
+//! velocities, extrapolated velocities and the state of ropes fix the forces. So neither forces nor tensions are kept:
+//! they are computed again, to the same bits. The work that ropes lose is summed from one length to the next; it is in the losses already
 //! when the snapshot is taken, and over an unchanged length there is none to add. See docs/restart.md.
 
 use serde::{Deserialize, Serialize};

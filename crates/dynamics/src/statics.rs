@@ -1,7 +1,7 @@
 //! Equilibrium under weight, loads and pretension, by dynamic relaxation with kinetic damping.
 //!
-//! A net of fictitious masses is let go where it is and runs in time. Whenever its kinetic energy has passed a maximum
-//! all velocities are set to zero, and it is let go again from where it was then: a single oscillator is then at rest,
+//! A net of fictitious masses is released at its start and runs in time. Whenever its kinetic energy has passed a maximum
+//! all velocities are set to zero, and it is released again from where it was then: a single oscillator is then at rest,
 //! for its energy is largest where its force vanishes. A little friction in segments, c = b k, takes the fast motions
 //! of single nodes away, whose maxima would stop the slow ones again and again. Masses are such that the stable step is
 //! the same at every node, and the stiffest and the softest part of a net take equally long:
@@ -45,7 +45,7 @@ pub struct Accuracy {
     pub max_iterations: u64,
 }
 
-/// What is out of balance.
+/// Force that is out of balance.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Residual {
     /// The largest force out of balance on a node that is free to move, N.
@@ -57,13 +57,13 @@ pub struct Residual {
 }
 
 impl Residual {
-    /// Over the largest tension or load.
+    /// The force over the largest tension or load.
     pub fn relative(&self) -> f64 {
         if self.force == 0.0 { 0.0 } else { self.force / self.largest }
     }
 }
 
-/// What a relaxation came to.
+/// Result of a relaxation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relaxed {
     /// Positions and orientations; nothing moves.
@@ -147,13 +147,13 @@ pub fn relax(
     progress: &mut (dyn FnMut(Relaxing) -> bool + Send),
 ) -> Relaxed {
     let resting = resting(system, state);
-    let slow = fictitious(system, &resting);
+    let fictitious_net = fictitious(system, &resting);
     let (mut state, mut turned) = (at_rest(system, state), Vec::new());
-    // of the rotations only those that change
+    // the fictitious net has only the bodies that may turn
     std::mem::swap(&mut state.rotation, &mut turned);
     state.rotation = resting.turning.iter().map(|&body| turned[body]).collect();
-    let mut net = Stepper::new(&slow, &state, STEP, threads);
-    let whole = |mut state: State| {
+    let mut net = Stepper::new(&fictitious_net, &state, STEP, threads);
+    let with_rotations = |mut state: State| {
         for (&body, rotation) in resting.turning.iter().zip(&state.rotation) {
             turned[body] = *rotation;
         }
@@ -163,6 +163,7 @@ pub fn relax(
     net.team().lead(|| {
         let mut iterations = 0;
         loop {
+            // forces out of balance, with all velocities zero
             let residual = residual(&net);
             let stopped = if !residual.force.is_finite() {
                 Some(StaticsError::NotFinite { iterations })
@@ -172,14 +173,14 @@ pub fn relax(
                 None
             };
             if stopped.is_some() || residual.relative() <= accuracy.tolerance {
-                return Relaxed { state: whole(state), residual, iterations, stopped };
+                return Relaxed { state: with_rotations(state), residual, iterations, stopped };
             }
+            // step until kinetic energy has passed a maximum
             let mut energy = 0.0;
-            // until kinetic energy has passed a maximum
             while iterations < accuracy.max_iterations {
                 if iterations.is_multiple_of(STEPS_PER_WORD) && !progress(Relaxing { iterations, residual }) {
                     let stopped = Some(StaticsError::Interrupted { iterations });
-                    return Relaxed { state: whole(state), residual, iterations, stopped };
+                    return Relaxed { state: with_rotations(state), residual, iterations, stopped };
                 }
                 let last = std::mem::replace(&mut energy, net.step().mass_power);
                 iterations += 1;
@@ -187,6 +188,7 @@ pub fn relax(
                     break;
                 }
             }
+            // start again at rest from where the maximum was
             net.midway(&mut state);
             stop(&mut state);
             net.restart(&state);
@@ -230,8 +232,9 @@ fn effects_at_rest(system: &System, resting: &Resting) -> SystemParts {
 
 /// The same net with fictitious masses, and nothing that moves by itself.
 fn fictitious(system: &System, resting: &Resting) -> System {
-    let slow_to_turn = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
-    let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_to_turn(&system.bodies()[body])).collect();
+    let slow_body = |body: &Body| Body { inertia: DVec3::splat(arm_squared(body)), ..body.clone() };
+    let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_body(&system.bodies()[body])).collect();
+    // unit masses first, to find the mass that each node needs
     let mut unit_mass = vec![1.0; system.mass().len()];
     bodies.iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
     let rest = effects_at_rest(system, resting);
@@ -239,13 +242,14 @@ fn fictitious(system: &System, resting: &Resting) -> System {
         mass: unit_mass,
         held: resting.held.clone(),
         tractor: system.tractor().to_vec(),
-        segments: system.segments().iter().map(|s| slow_to_move(system, s)).collect(),
+        segments: system.segments().iter().map(|s| damped_segment(system, s)).collect(),
         laws: system.laws().iter().map(Law::lasting).collect(),
         bodies,
         environment: Environment { mass_damping: LEAST_DAMPING, ..rest.environment.clone() },
         ..rest
     };
     let limiting = limiting_mass(&parts.clone().build().expect("what is left of a system is one"), STEP / STEP_SHARE);
+    // masses for which every node allows the same step
     for (mass, limiting) in parts.mass.iter_mut().zip(limiting).filter(|(mass, limiting)| **mass * limiting > 0.0) {
         *mass = limiting;
     }
@@ -256,7 +260,7 @@ fn fictitious(system: &System, resting: &Resting) -> System {
 }
 
 /// A segment with friction that never breaks.
-fn slow_to_move(system: &System, segment: &Segment) -> Segment {
+fn damped_segment(system: &System, segment: &Segment) -> Segment {
     let stiffness = system.law(segment).lasting().largest_stiffness(&segment.into());
     Segment { damping: FRICTION * stiffness, breaking: Breaking::NEVER, ..*segment }
 }
@@ -275,20 +279,20 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     for s in system.segments() {
         parts.join(s.ends[0], s.ends[1]);
     }
-    effects::joins(system.parts(), &mut |one, other| parts.join(one, other));
+    effects::joins(system.parts(), &mut |a, b| parts.join(a, b));
     let mut held = vec![false; nodes];
     let resting = resting(system, state);
     for node in (0..nodes).filter(|&node| resting.held[node]) {
-        held[parts.of(node)] = true;
+        held[parts.root(node)] = true;
     }
     let loads = effects_at_rest(system, &resting).loads;
     let mut sums = vec![DVec3::ZERO; nodes];
     for load in &loads {
-        sums[parts.of(load.node)] += load.force;
+        sums[parts.root(load.node)] += load.force;
     }
-    // what something below can bear, it bears
+    // a support from below takes all downward load
     effects::bears(system.parts(), &mut |node| {
-        let sum = &mut sums[parts.of(node)];
+        let sum = &mut sums[parts.root(node)];
         sum.z = sum.z.max(0.0);
     });
     // loads in balance among themselves sum to zero within rounding
@@ -298,12 +302,12 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     falling.next().map(|(node, load)| Unsupported { node, load })
 }
 
-/// The parts of a net that hang together, each known by one of its nodes.
+/// Connected parts of a net, each represented by one of its nodes (union-find).
 struct Parts(Vec<usize>);
 
 impl Parts {
-    /// The node that a node's part is known by.
-    fn of(&mut self, mut node: usize) -> usize {
+    /// The node that stands for the part to which `node` belongs.
+    fn root(&mut self, mut node: usize) -> usize {
         while self.0[node] != node {
             self.0[node] = self.0[self.0[node]];
             node = self.0[node];
@@ -311,9 +315,9 @@ impl Parts {
         node
     }
 
-    fn join(&mut self, one: usize, other: usize) {
-        let (one, other) = (self.of(one), self.of(other));
-        self.0[one.max(other)] = one.min(other);
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b)] = a.min(b);
     }
 }
 
@@ -333,7 +337,7 @@ fn at_rest(system: &System, state: &State) -> State {
     state
 }
 
-/// Takes all motion away.
+/// Sets all velocities to zero.
 fn stop(state: &mut State) {
     state.velocity.fill(DVec3::ZERO);
     for rotation in &mut state.rotation {

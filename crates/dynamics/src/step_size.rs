@@ -30,15 +30,15 @@ pub struct StepLimit {
     pub dt: f64,
     /// The node that sets it.
     pub node: usize,
-    /// The stiffest of what meets there.
+    /// The stiffest segment or effect at that node.
     pub stiffest: Option<Stiff>,
     /// The limit that this node would set without damping, s.
     pub without_damping: f64,
-    /// The limit that all nodes set where nothing of that one's kind meets, s.
+    /// The limit set by the nodes where no segment of the same class, or no part of the same effect, acts, s.
     pub elsewhere: f64,
 }
 
-/// What meets at each node of a system.
+/// Stiffness and damping at each node of a system, summed over segments and effects.
 fn bound_of(system: &System) -> Bound {
     let mut bound = Bound::new(system.mass().len());
     for (i, s) in system.segments().iter().enumerate() {
@@ -70,8 +70,8 @@ pub fn step_limit(system: &System) -> StepLimit {
     };
     let is_free = |node: &usize| mass[*node] > 0.0 && at.stiffness[*node] + at.damping[*node] > 0.0;
     let free: Vec<usize> = (0..nodes).filter(is_free).collect();
-    let smallest = |one: (usize, f64), other: (usize, f64)| if other.1 < one.1 { other } else { one };
-    let least = free.iter().map(|&node| (node, bound(node, at.damping[node]))).reduce(smallest);
+    let smaller = |best: (usize, f64), next: (usize, f64)| if next.1 < best.1 { next } else { best };
+    let least = free.iter().map(|&node| (node, bound(node, at.damping[node]))).reduce(smaller);
     let Some((node, dt)) = least else {
         let (dt, without_damping, elsewhere) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
         return StepLimit { dt, node: 0, stiffest: None, without_damping, elsewhere };
@@ -83,7 +83,7 @@ pub fn step_limit(system: &System) -> StepLimit {
     StepLimit { dt, node, stiffest, without_damping: bound(node, 0.0), elsewhere }
 }
 
-/// Nodes at which something of the kind of `what` meets: for a segment its class.
+/// Whether each node touches a segment of the same class, or the same effect, as `what`; (nodes,).
 fn touched(system: &System, at: &Bound, what: Option<Stiff>) -> Vec<bool> {
     let mut touched = vec![false; system.mass().len()];
     match what {

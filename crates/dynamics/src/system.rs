@@ -80,7 +80,7 @@ impl System {
         &self.parts.laws[segment.class]
     }
 
-    /// Whether any segment remembers more than where its nodes are.
+    /// Whether the law of any segment has state.
     pub fn remembers(&self) -> bool {
         self.parts.laws.iter().any(Law::remembers)
     }
@@ -100,7 +100,7 @@ impl System {
         &self.parts.launchers
     }
 
-    /// What surrounds it.
+    /// Gravity, damping, air, ground and orbit around the net.
     pub fn environment(&self) -> &Environment {
         &self.parts.environment
     }

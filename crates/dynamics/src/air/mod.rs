@@ -12,7 +12,7 @@ use crate::forces::sheet_drag::SheetDrag;
 use atmosphere::Medium;
 use wind::Wind;
 
-/// What surrounds a net and drags at it, and what of the net it drags at.
+/// The medium around a net, how it moves, and which parts of the net have drag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Air {
     /// Density and viscosity.

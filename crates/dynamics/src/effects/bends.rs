@@ -78,7 +78,7 @@ impl Effect for Bends {
     }
 
     fn moved(&mut self, _: &Now, _: &dyn Fn(usize) -> crate::moving::Moving, _: &mut Forces) {
-        self.elements.let_go();
+        self.elements.remove_leaving();
     }
 
     fn stored(&self, parts: &SystemParts, state: &State, stored: &mut ByChannel) {

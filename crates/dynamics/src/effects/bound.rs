@@ -19,7 +19,7 @@ pub enum Stiff {
     },
 }
 
-/// What meets at each node.
+/// Stiffness and damping at each node, summed over segments and effects: they bound the step.
 pub(crate) struct Bound {
     /// Sums of stiffness, N/m, (nodes,). What joins two nodes counts in full at each; what stands between a node and the
     /// world counts half.
@@ -33,7 +33,7 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    /// Of so many nodes where nothing meets.
+    /// For `nodes` nodes, all zero.
     pub fn new(nodes: usize) -> Bound {
         let none = || vec![0.0; nodes];
         let (contact, drag) = (Vec::new(), Vec::new());
@@ -61,11 +61,11 @@ impl Bound {
         share(&mut self.drag, name, self.stiffness.len())[node] += 0.5 * damping;
     }
 
-    /// A spring and damper between a node and the world, of which a share acts on the node.
-    pub fn add_contact(&mut self, name: &'static str, node: usize, of_it: f64, spring: &Spring) {
-        self.stiffness[node] += of_it * spring.stiffness;
-        self.damping[node] += of_it * spring.damping;
-        share(&mut self.contact, name, self.stiffness.len())[node] += of_it * spring.stiffness;
+    /// A spring and damper between a node and the world, of which `part` acts on the node.
+    pub fn add_contact(&mut self, name: &'static str, node: usize, part: f64, spring: &Spring) {
+        self.stiffness[node] += part * spring.stiffness;
+        self.damping[node] += part * spring.damping;
+        share(&mut self.contact, name, self.stiffness.len())[node] += part * spring.stiffness;
     }
 
     /// What meets at a tie acts on the body whose centre is given, with this lever.
@@ -79,7 +79,7 @@ impl Bound {
         }
     }
 
-    /// What makes a node of this mass, kg, stiff.
+    /// The segment or effect that contributes most to the stiffness of a node of this mass, kg.
     pub fn stiffest(&self, node: usize, mass: f64) -> Option<Stiff> {
         let (stiffness, damping) = (self.stiffness[node], self.damping[node]);
         let most = |shares: &[(&'static str, Vec<f64>)], of: f64| {

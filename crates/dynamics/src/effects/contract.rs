@@ -1,4 +1,4 @@
-//! What an effect is: the contract between a file of this folder and the step.
+//! The contract between an effect, which is one file of this folder, and the step.
 
 use std::fmt::Debug;
 
@@ -14,25 +14,25 @@ use crate::parts::{SystemError, SystemParts};
 use crate::state::State;
 use crate::team::Team;
 
-/// Something that acts on nodes or bodies. The value is what of it changes during a run; what does not is in the
-/// [`SystemParts`] that every call gets.
+/// A force on nodes or bodies beside rope tension. A value holds the state that changes during a run; what never changes
+/// is in the [`SystemParts`] that every call gets.
 ///
 /// All but [`Effect::of`] and [`Effect::nodes`] do nothing unless an effect says otherwise.
 pub(crate) trait Effect: Sized + Clone + Send {
-    /// What it is called in messages, in memory, and where an observer asks for its forces.
+    /// Its name in messages, in memory, and where an observer asks for its forces.
     const NAME: &'static str;
     /// The channels that it stores energy in, or loses it by.
     const CHANNELS: &'static [Channel];
-    /// What it has to remember from step to step beside where nodes are; `()` for nothing.
+    /// State that it keeps from step to step beside the positions of nodes; `()` for none.
     type Memory: Debug + Clone + PartialEq + Default + Serialize + DeserializeOwned;
 
-    /// At a start; none where the parts have nothing of the kind.
+    /// The effect at the start of a run; none where the parts have nothing of the kind.
     fn of(parts: &SystemParts) -> Option<Self>;
 
-    /// Whether what it acts by fits the system.
+    /// Checks that its parts fit the system.
     ///
     /// # Errors
-    /// The first thing that does not.
+    /// The first part that does not fit.
     fn check(_: &SystemParts) -> Result<(), SystemError> {
         Ok(())
     }
@@ -43,20 +43,19 @@ pub(crate) trait Effect: Sized + Clone + Send {
     /// Tells `ask` the nodes that it asks for several times a step: they are in [`Now::seen`].
     fn asks(_: &SystemParts, _ask: &mut dyn FnMut(usize)) {}
 
-    /// Adds how stiff it makes each node: what joins nodes, and what drags at them.
+    /// Adds its stiffness and damping at each node: of springs between nodes, and of drag.
     fn bound(_: &SystemParts, _: &mut Bound) {}
 
-    /// The same for what comes on top of that: what stands between a node and the world, what bodies take over from
-    /// their ties.
+    /// Adds what depends on those sums: springs between a node and the world, and stiffness that bodies get from their ties.
     fn bound_carried(_: &SystemParts, _: &mut Bound) {}
 
-    /// Puts into `rest` what of it a relaxation to an equilibrium sees.
+    /// Puts into `rest` those of its parts that act in a relaxation to an equilibrium.
     fn at_rest(_: &SystemParts, _: &Resting, _rest: &mut SystemParts) {}
 
     /// Tells `join` the pairs of nodes that it holds together.
     fn joins(_: &SystemParts, _join: &mut dyn FnMut(usize, usize)) {}
 
-    /// Tells `bear` the nodes that it can bear from below.
+    /// Tells `bear` the nodes that it can support from below.
     fn bears(_: &SystemParts, _bear: &mut dyn FnMut(usize)) {}
 
     /// Adds the forces that follow from where nodes and bodies are and how they move, and the work since those before.
@@ -65,10 +64,10 @@ pub(crate) trait Effect: Sized + Clone + Send {
     /// Adds the forces that follow from all other forces on a node.
     fn couple<N: Net>(&mut self, _: &Now, _: &N, _: &mut Forces) {}
 
-    /// A segment breaks at these forces; what belongs to it acts for the last time.
+    /// A segment breaks at these forces; elements that belong to it act for the last time.
     fn part(&mut self, _: &SystemParts, _segment: usize, _work: &mut ByChannel) {}
 
-    /// A segment is no more.
+    /// A segment is broken and no longer acts.
     fn gone(&mut self, _: &SystemParts, _segment: usize) {}
 
     /// Nodes were put where `node` says.
@@ -81,26 +80,26 @@ pub(crate) trait Effect: Sized + Clone + Send {
     /// Adds the energy that it has stored in this state, J.
     fn stored(&self, _: &SystemParts, _: &State, _: &mut ByChannel) {}
 
-    /// What it has to remember now.
+    /// Its state now.
     fn memory(&self) -> Self::Memory {
         Self::Memory::default()
     }
 
-    /// Goes on from what it remembered.
+    /// Restores its state.
     fn remember(&mut self, _: &Self::Memory) {}
 
-    /// How many things a memory holds, and how many one of these parts must hold.
+    /// Number of entries in a memory.
     fn remembered(_: &Self::Memory) -> usize {
         0
     }
 
-    /// See [`Effect::remembered`].
+    /// Number of entries that a memory of these parts must have.
     fn to_remember(_: &SystemParts) -> usize {
         0
     }
 }
 
-/// What an effect is told at each call.
+/// Time, parts and motion that every call of an effect gets.
 pub(crate) struct Now<'n> {
     /// The system's parts.
     pub parts: &'n SystemParts,
@@ -118,7 +117,7 @@ pub(crate) struct Now<'n> {
     pub turning: &'n [Turning],
 }
 
-/// What effects add up at some forces.
+/// Sums of all effects at one evaluation of forces.
 #[derive(Debug, Clone)]
 pub(crate) struct Forces {
     /// Force on each node beside those of ropes, N, (nodes,).
@@ -138,7 +137,7 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// None on the nodes and bodies of `parts`.
+    /// Zero on all nodes and bodies of `parts`.
     pub fn none(parts: &SystemParts) -> Forces {
         Forces {
             force: vec![DVec3::ZERO; parts.mass.len()],
@@ -160,11 +159,11 @@ impl Forces {
     }
 }
 
-/// What stays as it is in a relaxation: held, or thrown only later.
+/// What does not move in a relaxation: held nodes, and nodes and bodies that are launched later.
 pub(crate) struct Resting {
-    /// Whether each node does, (nodes,).
+    /// Whether each node is fixed, (nodes,).
     pub held: Vec<bool>,
-    /// The bodies that do not: a body that is thrown keeps its attitude until then.
+    /// Indices of the bodies that may turn: a body that is launched later keeps its attitude.
     pub turning: Vec<usize>,
     /// How every body is turned at the start, (bodies,).
     pub turned: Vec<glam::DQuat>,

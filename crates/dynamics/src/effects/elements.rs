@@ -1,4 +1,4 @@
-//! Elements of one kind in motion: what they do to their nodes, and what they lose on the way.
+//! Elements of one kind in motion: their forces on nodes, and the energy that they lose.
 
 use glam::DVec3;
 
@@ -6,7 +6,7 @@ use crate::forces::element::{Element, ElementForces};
 use crate::parts::SystemError;
 use crate::team::Team;
 
-/// Below so many elements a thread spends longer waiting than working.
+/// With fewer elements than this, threads wait longer than they work.
 const LEAST_FOR_THREADS: usize = 2_000;
 
 /// Elements of one kind.
@@ -14,17 +14,17 @@ const LEAST_FOR_THREADS: usize = 2_000;
 pub(super) struct Elements<const N: usize> {
     /// The nodes of each.
     nodes: Vec<[usize; N]>,
-    /// What each last at the last forces.
+    /// Forces of each, and the places of its nodes, at the last forces.
     last: Vec<LastForces<N>>,
     /// Work that each has lost since the forces before, J.
     work: Vec<f64>,
     /// Those that pull for the last time at the last forces.
     leaving: Vec<usize>,
-    /// Whether each is no more.
+    /// Whether each is removed.
     gone: Vec<bool>,
 }
 
-/// What an element last, and where its nodes were.
+/// Forces of an element, N, and the places of its nodes, m, at the last forces.
 #[derive(Debug, Clone, Copy)]
 struct LastForces<const N: usize> {
     place: [DVec3; N],
@@ -58,14 +58,14 @@ impl<const N: usize> Elements<N> {
         Some(*place)
     }
 
-    /// Nodes have moved.
-    pub fn let_go(&mut self) {
+    /// Removes the elements that acted for the last time; called after nodes have moved.
+    pub fn remove_leaving(&mut self) {
         self.leaving.drain(..).for_each(|index| self.gone[index] = true);
     }
 
-    /// Adds what they do to `force`, N, (nodes,), in their order. Returns the work of their dissipative forces since the forces
-    /// before, J: force times way, by the trapezoidal rule, as for ropes. `forces` tells what an element does whose nodes
-    /// are somewhere and move; `at` where a node is and how it moves.
+    /// Adds their forces to `force`, N, (nodes,), in their order. Returns the work of their dissipative forces since the
+    /// forces before, J: force times way, by the trapezoidal rule, as for ropes. `forces` gives the forces of an element
+    /// from the positions and velocities of its nodes; `at` gives position, m, and velocity, m/s, of a node.
     pub fn pull(
         &mut self,
         team: &Team,
@@ -73,7 +73,7 @@ impl<const N: usize> Elements<N> {
         at: impl Fn(usize) -> (DVec3, DVec3) + Sync,
         force: &mut [DVec3],
     ) -> f64 {
-        // those that the forces before were the last of are told again if these are the same
+        // where nodes have not moved, the same segments break again and name these elements again
         self.leaving.clear();
         let (nodes, gone) = (&self.nodes, &self.gone);
         let alone = Team::default();

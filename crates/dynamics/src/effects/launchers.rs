@@ -1,4 +1,4 @@
-//! Launchers as a step has them: who is held, who is in its tube, who is free, and what the launcher felt.
+//! Launchers in a run: which nodes are held, in their tube, or free, and the recoil on the launchers.
 //!
 //! A held node gets the force that balances all others on it. A node in its tube gets the force that balances what acts
 //! across the tube, and the push along it. Both are forces like any other, so positions, velocities, the balance of
@@ -7,7 +7,7 @@
 //! The end of a tube lies somewhere between two steps. The last push is scaled so that its share of the work, by the same
 //! rule, is that of the way that was left: the muzzle speed is of second order, as the step is.
 //!
-//! A node that is let go gets its half-step velocity as at the start of a run, so that its velocity is the given one at
+//! A node that is released gets its half-step velocity as at the start of a run, so that its velocity is the given one at
 //! the step at which it leaves; the work is the energy that it then has.
 
 use glam::DVec3;
@@ -25,14 +25,14 @@ use crate::parts::{SystemError, SystemParts};
 #[derive(Debug, Clone)]
 pub(super) struct Launchers {
     launching: Launching,
-    /// What each launcher does at the last forces.
+    /// Force of each launcher at the last forces.
     thrusts: Vec<Thrust>,
     /// The body whose centre each launcher has.
     bodies: Vec<Option<usize>>,
 }
 
 impl Launchers {
-    /// How the launch stands.
+    /// State of the launch.
     pub fn launching(&self) -> &Launching {
         &self.launching
     }
@@ -94,18 +94,22 @@ impl Effect for Launchers {
             if phase == Phase::Free && last.force == DVec3::ZERO {
                 continue;
             }
+            // the launcher answers all other forces on its node
             let mass = parts.mass[node];
             let weight = gravity::force(parts.environment.gravity, mass);
             let pulled = net.with_ropes(node, out.force[node]) + weight;
             let thrust = thrust(launcher, phase, net.node(node), mass, pulled, now.time, factors);
+            // its work along the way, trapezoidal rule
             work -= 0.5 * (last.force + thrust.force).dot(thrust.place - last.place);
             out.force[node] += thrust.force;
             *last = thrust;
+            // a released node starts at the given velocity; the energy that it gets is the launcher's work
             if let (Phase::Leaving, Means::Velocity(velocity)) = (phase, &launcher.by) {
                 let before = |k| factors.before_start(velocity[k], pulled[k] / mass);
                 out.released.push((node, DVec3::from_array(std::array::from_fn(before))));
                 work -= 0.5 * mass * velocity.length_squared();
             }
+            // a guided body keeps its attitude
             if let Some(body) = body.filter(|_| phase.is_guided()) {
                 out.torque[body] = DVec3::ZERO;
             }
@@ -275,8 +279,10 @@ impl Tube {
             // it rests on the breech
             return Thrust { force: -pulled, place: node.x, ..Thrust::default() };
         }
+        // speed after this step under the whole push
         let next_speed = factors.p * speed + factors.q * ((push + along) / mass);
         let left = self.stroke - way;
+        // the node passes the muzzle within the step: scale the push to the way that is left
         let leaves = (factors.dt * next_speed >= left).then(|| {
             let (last, next) = ((factors.dt * speed).max(0.0), factors.dt * next_speed);
             let mean = self.push.at(way + 0.5 * left, time);
@@ -284,6 +290,7 @@ impl Tube {
             let speed = factors.p * speed + factors.q * ((push + along) / mass);
             (left / next * factors.dt, speed)
         });
+        // the tube balances all force across its axis
         let across = pulled - along * self.direction;
         let push = push * self.direction;
         Thrust { force: push - across, push, place: node.x, leaves }

@@ -1,4 +1,4 @@
-//! What acts on nodes and bodies beside the ropes: an effect a file, a line an effect in one list.
+//! Effects: forces on nodes and bodies beside rope tension. Each effect is one file, and one line in one list.
 //!
 //! An [`Effect`] is one contract: what of a system's parts it takes, whether they fit, which nodes it acts on, how stiff
 //! it is, what of it a relaxation sees, what it does in a step, what it stores, what it remembers. Both steps call the
@@ -116,18 +116,18 @@ macro_rules! effects {
             /// Does `act` or `couple`, and keeps what the effect that is watched does to nodes and bodies.
             fn act<N: Net>(&mut self, now: &Now, net: &N, out: &mut Forces, watch: &mut Watch) {
                 $(if let Some(effect) = &mut self.$field {
-                    watch.of(<$Effect>::NAME, out, |out| effect.act(now, net, out));
+                    watch.add(<$Effect>::NAME, out, |out| effect.act(now, net, out));
                 })*
             }
 
             fn couple<N: Net>(&mut self, now: &Now, net: &N, out: &mut Forces, watch: &mut Watch) {
                 $(if let Some(effect) = &mut self.$field {
-                    watch.of(<$Effect>::NAME, out, |out| effect.couple(now, net, out));
+                    watch.add(<$Effect>::NAME, out, |out| effect.couple(now, net, out));
                 })*
             }
 
             /// Every effect that there is, in the order of the list.
-            fn each(&mut self) -> impl DoubleEndedIterator<Item = &mut dyn Moved> {
+            fn all(&mut self) -> impl DoubleEndedIterator<Item = &mut dyn Moved> {
                 [$(self.$field.as_mut().map(|effect| effect as &mut dyn Moved),)*].into_iter().flatten()
             }
 
@@ -215,7 +215,7 @@ impl<E: Effect> Moved for E {
     }
 }
 
-/// What one effect does at the last forces.
+/// Forces of one effect at the last forces.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct EffectForces {
     /// Force on each node, N, (nodes,).
@@ -231,7 +231,7 @@ struct Watch(Vec<(&'static str, EffectForces)>);
 impl Watch {
     /// Lets an effect add its forces; where it is watched, keeps what it added.
     #[inline]
-    fn of(&mut self, name: &'static str, out: &mut Forces, add: impl FnOnce(&mut Forces)) {
+    fn add(&mut self, name: &'static str, out: &mut Forces, add: impl FnOnce(&mut Forces)) {
         let Some((_, kept)) = self.0.iter_mut().find(|(watched, _)| *watched == name) else { return add(out) };
         let before = (out.force.clone(), out.torque.clone());
         add(out);
@@ -266,7 +266,7 @@ pub(crate) struct Effects<'a> {
 }
 
 impl<'a> Effects<'a> {
-    /// At the start of steps like these.
+    /// Effects of `parts` at the start of a run.
     pub fn new(parts: &'a SystemParts, factors: StepFactors) -> Self {
         let mut asked = BTreeSet::new();
         asks(parts, &mut |node| {
@@ -295,7 +295,7 @@ impl<'a> Effects<'a> {
         self.list.is_empty()
     }
 
-    /// Keeps, from the next forces on, what the effects of these names do. Names that no effect has are none of its.
+    /// Keeps, from the next forces on, what the effects of these names do. Unknown names are ignored.
     pub fn watch(&mut self, names: &[&str]) {
         let known = EFFECTS.iter().map(|(name, _)| *name).filter(|name| names.contains(name));
         let none = EffectForces { force: self.forces.force.clone(), torque: self.forces.torque.clone() };
@@ -322,7 +322,7 @@ impl<'a> Effects<'a> {
     /// Tells what belongs to a segment that it breaks at these forces.
     pub fn part(&mut self, failing: impl IntoIterator<Item = usize>) {
         for segment in failing {
-            for effect in self.list.each() {
+            for effect in self.list.all() {
                 effect.part(self.parts, segment, &mut self.forces.work);
             }
         }
@@ -341,7 +341,7 @@ impl<'a> Effects<'a> {
         self.forces.carried.clear();
         self.forces.turned.clear();
         self.with_now(&Team::default(), time, |list, now, forces, _| {
-            list.each().rev().for_each(|effect| effect.moved(now, &node, forces));
+            list.all().rev().for_each(|effect| effect.moved(now, &node, forces));
         });
         std::mem::swap(&mut self.turning, &mut self.forces.turned);
         self.is_first = false;
@@ -350,13 +350,13 @@ impl<'a> Effects<'a> {
 
     /// Nodes were put where `node` says, and `broken` segments, (segments,), are no more.
     pub fn placed(&mut self, node: impl Fn(usize) -> Moving) {
-        self.list.each().for_each(|effect| effect.placed(self.parts, &node));
+        self.list.all().for_each(|effect| effect.placed(self.parts, &node));
     }
 
     /// Takes out what belongs to segments that are broken, (segments,).
     pub fn put_broken(&mut self, broken: &[bool]) {
         for segment in (0..broken.len()).filter(|&segment| broken[segment]) {
-            self.list.each().for_each(|effect| effect.gone(self.parts, segment));
+            self.list.all().for_each(|effect| effect.gone(self.parts, segment));
         }
     }
 
@@ -366,22 +366,22 @@ impl<'a> Effects<'a> {
         work(list, &now, forces, watch);
     }
 
-    /// The forces that they add up to.
+    /// Sum of the forces of all effects.
     pub fn forces(&self) -> &Forces {
         &self.forces
     }
 
-    /// What they have stored in this state, J.
+    /// Energy stored in this state, J, by channel.
     pub fn stored(&self, state: &State) -> ByChannel {
         self.list.stored(self.parts, state)
     }
 
-    /// What they remember.
+    /// Memory of all effects.
     pub fn memory(&self) -> Memory {
         self.list.memory()
     }
 
-    /// Goes on from what was remembered, before the next forces of a step that is not a run's first.
+    /// Restores a memory before the next forces. `is_first`: whether no step was taken before it.
     pub fn remember(&mut self, memory: &Memory, is_first: bool) {
         self.list.remember(memory);
         self.is_first = is_first;

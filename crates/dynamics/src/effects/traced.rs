@@ -1,4 +1,4 @@
-//! A force that is followed, for the work that it does.
+//! A force whose work is integrated from step to step.
 
 use glam::DVec3;
 

@@ -12,7 +12,7 @@
 
 use glam::DVec3;
 
-/// A body that drags.
+/// Shape of a body in the wind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// A sphere of this diameter, m.

@@ -15,7 +15,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a segment bears at most.
+/// The load and the strain at which a segment breaks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Breaking {
     /// Breaking load, N.

@@ -1,11 +1,11 @@
-//! An element: a few nodes, and a force of its own among them. What a segment is for ropes, for everything else.
+//! An element: a force between a few nodes, such as a bend or a triangle of a sheet. Ropes have segments instead.
 //!
-//! Bending joins three nodes, a piece of sheet three, a hinge between two of them four. An element says what it does at
-//! one instant; [`crate::time`] gathers its nodes, sums what it does to them, and counts what it loses.
+//! Bending joins three nodes, a piece of sheet three, a hinge between two of them four. An element gives its forces at
+//! one instant; [`crate::effects`] gathers its nodes, sums the forces, and counts the energy that they lose.
 
 use glam::DVec3;
 
-/// What an element does to its nodes at one instant, N.
+/// Forces of an element on its nodes at one instant, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElementForces<const N: usize> {
     /// The part that derives from its elastic energy.
@@ -15,7 +15,7 @@ pub struct ElementForces<const N: usize> {
 }
 
 impl<const N: usize> ElementForces<N> {
-    /// None at all.
+    /// No force.
     pub const NONE: ElementForces<N> = ElementForces { elastic: [DVec3::ZERO; N], dissipative: [DVec3::ZERO; N] };
 }
 
@@ -24,10 +24,10 @@ pub trait Element<const N: usize>: Sync {
     /// Its nodes.
     fn nodes(&self) -> [usize; N];
 
-    /// What it does to its nodes, which are at `x`, m, and move at `w`, m/s.
+    /// Forces on its nodes, which are at `x`, m, and move at `w`, m/s.
     fn pull(&self, x: [DVec3; N], w: [DVec3; N]) -> ElementForces<N>;
 
-    /// What it has stored, J, with its nodes at `x`, m.
+    /// Elastic energy, J, with its nodes at `x`, m.
     fn elastic_energy(&self, x: [DVec3; N]) -> f64;
 
     /// A bound on its stiffness, N/m, node by node: for any displacements u of its nodes the second derivative of its

@@ -1,4 +1,4 @@
-//! Ground: a level plane that pushes what sinks into it, and rubs against what slides on it.
+//! Ground: a level plane that pushes bodies that sink into it, and rubs against those that slide.
 //!
 //! ```text
 //! p  = h - z                             how deep, m;  p' = -v_z
@@ -46,7 +46,7 @@ pub struct Footing {
     pub node: usize,
     /// How far it reaches below its node, m.
     pub radius: f64,
-    /// How the ground answers it.
+    /// Its spring and damper.
     pub spring: Spring,
 }
 
@@ -59,23 +59,23 @@ pub struct Hull {
     pub arm: DVec3,
     /// How far it reaches below that point, however the body is turned, m: of a sphere about it.
     pub radius: f64,
-    /// How the ground answers it.
+    /// Its spring and damper.
     pub spring: Spring,
 }
 
-/// How the ground answers what sinks into it.
+/// The spring and damper of one contact point with the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
     /// Stiffness k, N/m.
     pub stiffness: f64,
     /// Damping c, N s/m.
     pub damping: f64,
-    /// Mass that it meets, kg.
+    /// Effective mass at the contact point, kg.
     pub mass: f64,
 }
 
 impl Spring {
-    /// That lets `mass`, kg, bounce within `contact_time`, s, with this coefficient of restitution, 0.14 to 1.
+    /// A spring under which `mass`, kg, rebounds within `contact_time`, s, with this coefficient of restitution, 0.14 to 1.
     pub fn bouncing(mass: f64, contact_time: f64, restitution: f64) -> Spring {
         let frequency = std::f64::consts::PI / contact_time;
         let damping = 2.0 * damping_ratio(restitution) * mass * frequency;
@@ -93,7 +93,7 @@ pub fn restitution(ratio: f64) -> f64 {
     libm::exp(-(ratio / s) * (std::f64::consts::PI - angle))
 }
 
-/// The damping ratio at which [`restitution`] is this, by bisection; 1 where it cannot be so small.
+/// The damping ratio that gives the restitution `asked`, by bisection; 1 where `asked` is below exp(-2).
 fn damping_ratio(asked: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..60 {
@@ -104,7 +104,7 @@ fn damping_ratio(asked: f64) -> f64 {
 }
 
 impl Ground {
-    /// What it does to a point at `x`, m, that moves at `v`, m/s, in steps of `dt`, s: its spring's force, N, and the rest.
+    /// Force on a point at `x`, m, that moves at `v`, m/s, in steps of `dt`, s: elastic and dissipative part, N.
     pub fn push(&self, spring: &Spring, x: DVec3, v: DVec3, dt: f64) -> ElementForces<1> {
         let depth = self.height - x.z;
         if depth <= 0.0 {
@@ -119,7 +119,7 @@ impl Ground {
         ElementForces { elastic: [DVec3::Z * elastic], dissipative: [DVec3::Z * (normal - elastic) - along] }
     }
 
-    /// What it has stored in the spring of a point at `x`, m, in J.
+    /// Elastic energy in the spring of a point at `x`, m, in J.
     pub(crate) fn energy(&self, spring: &Spring, x: DVec3) -> f64 {
         let depth = (self.height - x.z).max(0.0);
         0.5 * spring.stiffness * depth * depth

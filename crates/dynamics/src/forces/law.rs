@@ -37,7 +37,7 @@ pub enum Law {
     Strut,
 }
 
-/// A segment along itself.
+/// Rest length, stiffness and damping of a segment along its axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axial {
     /// Length without tension, m.
@@ -74,8 +74,7 @@ impl Law {
         }
     }
 
-    /// The law of tensions that last, where none was larger before: what relaxes has relaxed, and a table is that of
-    /// loading.
+    /// The law under a lasting tension: relaxation is complete, and a table gives its loading curve.
     pub fn lasting(&self) -> Law {
         match self {
             Law::Linear | Law::Viscoelastic(_) => Law::Linear,
@@ -104,7 +103,7 @@ impl Law {
         }
     }
 
-    /// Whether a segment of this law remembers.
+    /// Whether the law has state: whether its tension depends on the past of a segment.
     pub fn remembers(&self) -> bool {
         match self {
             Law::Linear | Law::Bilinear(_) | Law::Strut => false,
@@ -113,7 +112,7 @@ impl Law {
         }
     }
 
-    /// What a segment remembers that has been stretched by `stretch`, m, for long.
+    /// Memory of a segment that has been held at `stretch`, m, until it no longer changes.
     pub fn at_rest(&self, stretch: f64) -> Memory {
         match self {
             Law::Viscoelastic(law) => law.at_rest(stretch),
@@ -121,7 +120,7 @@ impl Law {
         }
     }
 
-    /// What time alone does to memory in `elapsed` seconds.
+    /// How memory relaxes in `elapsed` seconds.
     pub(crate) fn decay(&self, elapsed: f64) -> Decay {
         match self {
             Law::Viscoelastic(law) => law.decay(elapsed),
@@ -129,7 +128,7 @@ impl Law {
         }
     }
 
-    /// What a segment does. `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s; `decay` is that of the
+    /// Tension of a segment and its force on the nodes. `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s; `decay` is that of the
     /// time since the forces before.
     #[inline]
     pub(crate) fn pull(
@@ -153,7 +152,7 @@ impl Law {
         }
     }
 
-    /// Energy that a segment at this stretch, m, gives back, J.
+    /// Elastic energy of a segment at this stretch, m, in J: what unloading gives back.
     pub fn elastic_energy(&self, stretch: f64, segment: &Axial, memory: &Memory) -> f64 {
         let &Axial { rest_length, stiffness, .. } = segment;
         match self {

@@ -48,10 +48,10 @@ pub struct Membrane {
     stiffness: [f64; 3],
 }
 
-/// ElementForces of a triangle.
+/// Stress of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetStress {
-    /// What the sheet does.
+    /// Whether the sheet is taut, wrinkled or slack.
     pub tautness: Tautness,
     /// Second Piola-Kirchhoff stress, Pa: along the fibres, across them, shear.
     pub components: [f64; 3],
@@ -100,7 +100,7 @@ impl Membrane {
         Ok(Self { nodes, slopes, volume, law, damping_time: fabric.damping_time, stiffness })
     }
 
-    /// ElementForces at `position`, m.
+    /// Stress with the nodes at `position`, m.
     pub fn stress(&self, position: [DVec3; 3]) -> SheetStress {
         let (tautness, stress) = self.law.stress(self.strain(self.gradient(position)));
         SheetStress { tautness, components: self.law.tensor(stress) }

@@ -1,4 +1,4 @@
-//! What a law of tension may keep from step to step.
+//! The state of a law of tension.
 
-/// What a segment remembers of its past beyond where its nodes are. Its law says what the numbers are.
+/// State of a segment beside the positions of its nodes. Its law says what the two numbers are.
 pub type Memory = [f64; 2];

@@ -25,7 +25,7 @@
 //! which makes the work exact where d' is constant over two steps. It changes nothing as dt goes to 0, nor anywhere
 //! else. Derivation and measurement: docs/theory/slack-taut.md.
 
-/// What a segment does at one instant.
+/// Tension and force of a segment at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
     /// Tension, N; what a strut pushes with is negative.
@@ -41,7 +41,7 @@ pub struct Pull {
 }
 
 impl Pull {
-    /// Before there were any forces.
+    /// The value before the first forces.
     pub const NONE: Pull = Pull { tension: 0.0, force: [0.0; 3], length: 0.0, dissipative: 0.0, lost: 0.0 };
 }
 
@@ -76,8 +76,8 @@ impl Along {
         Along { span, per_length, length, stretch, stretch_rate, swept: stretch_rate.abs() * dt }
     }
 
-    /// What a segment does whose law gives `elastic`, N, beside a damper, N s/m: it pulls where it is taut, and never
-    /// pushes.
+    /// The pull of a rope whose law gives `elastic`, N, with a damper `damping`, N s/m, beside it: only where it is taut,
+    /// and never a push.
     #[inline(always)]
     pub fn pulled(&self, taut: bool, elastic: f64, damping: f64) -> Pull {
         let total = elastic + damping * self.stretch_rate;
@@ -85,7 +85,7 @@ impl Along {
         self.with(if taut { pulls } else { 0.0 }, elastic)
     }
 
-    /// What a segment does that bears `tension`, N, of which `elastic` is its law's.
+    /// The pull of a segment under `tension`, N, of which the law gives `elastic`.
     #[inline(always)]
     pub fn with(&self, tension: f64, elastic: f64) -> Pull {
         let along = tension * self.per_length;
@@ -112,7 +112,7 @@ pub fn pull(span: [f64; 3], rate: [f64; 3], rest_length: f64, stiffness: f64, da
     along.pulled(along.stretch > 0.0, stiffness * ramp(along.stretch, along.swept), damping)
 }
 
-/// Elastic energy at a stretch of so many metres, J.
+/// Elastic energy at `stretch`, m, in J.
 pub fn elastic_energy(stretch: f64, stiffness: f64) -> f64 {
     if stretch > 0.0 { 0.5 * stiffness * stretch * stretch } else { 0.0 }
 }
@@ -129,8 +129,8 @@ pub fn damping_from_ratio(ratio: f64, stiffness: f64, mass: f64) -> f64 {
     2.0 * ratio * (stiffness * mass).sqrt()
 }
 
-/// Work of dissipative between an earlier length and dissipative, and those of `now`, J: the trapezoidal rule over the way
-/// itself.
+/// Work of the dissipative force, J, from an earlier `length`, m, and force `dissipative`, N, to those of `now`: the
+/// trapezoidal rule over the change of length.
 #[inline(always)]
 pub(crate) fn dissipative_work(length: f64, dissipative: f64, now: &Pull) -> f64 {
     0.5 * (dissipative + now.dissipative) * (now.length - length)

@@ -16,9 +16,9 @@ pub struct Segment {
     pub stiffness: f64,
     /// Damping c against the rate of stretch, N s/m.
     pub damping: f64,
-    /// Link class, an index below [`System::class_count`].
+    /// Link class, an index below [`System::class_count`](crate::system::System::class_count).
     pub class: usize,
-    /// What it bears at most.
+    /// The load and the strain at which it breaks.
     pub breaking: Breaking,
 }
 

@@ -18,13 +18,13 @@ impl Ropes {
             let axial = self.axial(i);
             let memory = self.memory.get_mut(i).unwrap_or(&mut nothing);
             let p = self.law.pull(span, rate, axial, memory, dt, &decay);
-            self.each[i] = dissipative_work(self.length[i], self.dissipative[i], &p) + p.lost;
+            self.terms[i] = dissipative_work(self.length[i], self.dissipative[i], &p) + p.lost;
             (self.tension[i], self.length[i], self.dissipative[i]) = (p.tension, p.length, p.dissipative);
             for (pull, force) in self.pull.iter_mut().zip(p.force) {
                 pull[i + 1] = force;
             }
         }
-        self.rope_work = sum(&self.each);
+        self.rope_work = sum(&self.terms);
         self.max_tension = max(&self.tension);
     }
 }

@@ -29,12 +29,12 @@ pub(super) struct Nodes {
     /// Zero where a node is held or has its home in another slot: the pass over nodes then leaves it alone.
     pub mass: Vec<f64>,
     pub per_mass: Vec<f64>,
-    /// Scratch: one term a slot of what is summed.
-    pub each: Vec<f64>,
+    /// Scratch: the terms of a sum over the block, one for each slot.
+    pub terms: Vec<f64>,
     /// Sum of m v^2 at the step, J.
     pub mass_velocity_squared: f64,
     exchange: Exchange,
-    /// Homes of nodes on which effects may act: slot and node.
+    /// Homes of nodes on which effects may act: slot, node.
     acted_on: Vec<(u32, u32)>,
 }
 
@@ -43,10 +43,10 @@ pub(super) struct Nodes {
 pub(super) struct Ropes {
     pub class: usize,
     pub law: Law,
-    /// Of each slot's segment; none where the law does not remember.
+    /// Law state of each slot's segment; empty where the law has none.
     pub memory: Vec<Memory>,
     pub strength: Strength,
-    /// What breaks under the last tensions.
+    /// Segments that break under the last tensions.
     pub failing: Vec<Failing>,
     /// Force of the segment *before* each slot on its own first node: entry i + 1 belongs to segment i, entry 0 is
     /// zero.
@@ -55,8 +55,8 @@ pub(super) struct Ropes {
     /// Length and dissipative force of each segment at the pass before.
     pub length: Vec<f64>,
     pub dissipative: Vec<f64>,
-    /// Scratch: one term a slot of what is summed.
-    pub each: Vec<f64>,
+    /// Scratch: the terms of a sum over the block, one for each slot.
+    pub terms: Vec<f64>,
     pub rest_length: Vec<f64>,
     pub stiffness: Vec<f64>,
     pub damping: Vec<f64>,
@@ -68,10 +68,10 @@ pub(super) struct Ropes {
     pub rope_work: f64,
 }
 
-/// Position and extrapolated velocity of a knot, as its other slots get it.
+/// Position and extrapolated velocity of a knot, sent from its home to its other slots.
 pub(super) type KnotState = [f64; 6];
 
-/// What a block exchanges with others and within itself, knot by knot.
+/// Where a block sends the state of its knots and from where it collects their forces.
 #[derive(Debug, Clone, Default)]
 struct Exchange {
     /// Homes of knots, ascending: slot, and its part of `others`.
@@ -87,11 +87,12 @@ impl Nodes {
         let (filled, padded) = padding(plan);
         let (mut mass, mut acted_on) = (vec![0.0; filled], Vec::new());
         for (i, slot) in plan.slots.iter().enumerate() {
-            let at_home = system.layout().homes()[slot.node] == Address { block, slot: i };
-            if at_home && !system.held()[slot.node] {
+            // a node has mass only in its home, so that it is advanced once
+            let is_home = system.layout().homes()[slot.node] == Address { block, slot: i };
+            if is_home && !system.held()[slot.node] {
                 mass[i] = system.mass()[slot.node];
             }
-            if at_home && is_acted_on[slot.node] {
+            if is_home && is_acted_on[slot.node] {
                 acted_on.push((i as u32, slot.node as u32));
             }
         }
@@ -100,7 +101,7 @@ impl Nodes {
             v: zeros(padded),
             w: zeros(padded),
             elsewhere: zeros(filled),
-            each: vec![0.0; filled],
+            terms: vec![0.0; filled],
             mass_velocity_squared: 0.0,
             per_mass: mass.iter().map(|&m| if m > 0.0 { 1.0 / m } else { 0.0 }).collect(),
             mass,
@@ -114,31 +115,30 @@ impl Nodes {
         self.exchange.homes.len()
     }
 
-    /// Brings what knots were told into the slots that are not their home.
-    pub fn receive_knots(&mut self, told: &[Vec<KnotState>]) {
+    /// Copies the state of knots into those of their slots that are not their home.
+    pub fn receive_knots(&mut self, sent: &[Vec<KnotState>]) {
         let n = self.x[0].len();
         let [x, y, z] = &mut self.x;
         let [u, v, w] = &mut self.w;
         let (x, y, z, u, v, w) = (&mut x[..n], &mut y[..n], &mut z[..n], &mut u[..n], &mut v[..n], &mut w[..n]);
         for &(slot, block, place) in &self.exchange.guests {
-            let (slot, told) = (slot as usize, &told[block as usize][place as usize]);
-            [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]] = *told;
+            let (slot, state) = (slot as usize, &sent[block as usize][place as usize]);
+            [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]] = *state;
         }
     }
 
-    /// Tells the values of the knots that have their home here.
-    pub fn send_knots(&self, told: &mut [KnotState]) {
+    /// Writes the state of the knots that have their home here to `sent`.
+    pub fn send_knots(&self, sent: &mut [KnotState]) {
         let n = self.x[0].len();
         let ([x, y, z], [u, v, w]) = (&self.x, &self.w);
         let (x, y, z, u, v, w) = (&x[..n], &y[..n], &z[..n], &u[..n], &v[..n], &w[..n]);
-        for ((slot, _), told) in self.exchange.homes.iter().zip(told) {
+        for ((slot, _), state) in self.exchange.homes.iter().zip(sent) {
             let slot = *slot as usize;
-            *told = [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]];
+            *state = [x[slot], y[slot], z[slot], u[slot], v[slot], w[slot]];
         }
     }
 
-    /// Collects at their homes the forces of knots' other slots, those of effects on nodes, N, (nodes,), and the drag of
-    /// this `block`.
+    /// Sums into `elsewhere` the forces of knots' other slots, those of effects, N, (nodes,), and the drag of this `block`.
     pub fn collect(&mut self, ropes: &[Ropes], of_effects: &[DVec3], block: usize) {
         match &ropes[block].dragging {
             None => self.collect_at_knots(ropes, of_effects),
@@ -157,10 +157,12 @@ impl Nodes {
         let (fx, fy, fz) = (&mut fx[..n], &mut fy[..n], &mut fz[..n]);
         let alone = self.acted_on.is_empty();
         if !alone {
+            // zero at every home, then the forces of effects
             let homes = self.exchange.homes.iter().map(|(home, _)| (*home as usize, DVec3::ZERO));
             let acted_on = self.acted_on.iter().map(|&(slot, node)| (slot as usize, of_effects[node as usize]));
             homes.chain(acted_on).for_each(|(slot, force)| (fx[slot], fy[slot], fz[slot]) = force.into());
         }
+        // add the forces of each knot's other slots, in ascending order
         for (home, others) in &self.exchange.homes {
             let at = *home as usize;
             let mut force = if alone { [0.0; 3] } else { [fx[at], fy[at], fz[at]] };
@@ -180,20 +182,20 @@ impl Nodes {
         std::array::from_fn(|axis| self.elsewhere[axis][slot] + own[axis])
     }
 
-    /// How the node in `slot` moves.
+    /// Position and velocities of the node in `slot`.
     pub fn moving(&self, slot: usize) -> Moving {
-        let of = |components: &Components| components.each_ref().map(|values| values[slot]).into();
-        Moving { x: of(&self.x), v: of(&self.v), w: of(&self.w) }
+        let vector = |components: &Components| components.each_ref().map(|values| values[slot]).into();
+        Moving { x: vector(&self.x), v: vector(&self.v), w: vector(&self.w) }
     }
 
-    /// Puts the node that has its home in `slot` somewhere else, and tells its other slots.
-    pub fn carry(&mut self, slot: usize, moving: Moving, told: &mut [KnotState]) {
+    /// Moves the node that has its home in `slot`, and sends its new state to its other slots.
+    pub fn carry(&mut self, slot: usize, moving: Moving, sent: &mut [KnotState]) {
         let Moving { x, v, w } = moving;
         for k in 0..3 {
             (self.x[k][slot], self.v[k][slot], self.w[k][slot]) = (x[k], v[k], w[k]);
         }
         if let Ok(place) = self.exchange.homes.binary_search_by_key(&(slot as u32), |(home, _)| *home) {
-            told[place] = [x.x, x.y, x.z, w.x, w.y, w.z];
+            sent[place] = [x.x, x.y, x.z, w.x, w.y, w.z];
         }
     }
 
@@ -206,6 +208,7 @@ impl Nodes {
 impl Ropes {
     fn new(plan: &BlockPlan, system: &System) -> Ropes {
         let (filled, padded) = padding(plan);
+        // one entry for each slot, none where no segment begins
         let segments = plan.slots.iter().map(|slot| slot.segment.map(|segment| &system.segments()[segment]));
         let segments: Vec<_> = segments.chain(std::iter::repeat(None)).take(filled).collect();
         let of_segments = |value: fn(&Axial) -> f64| {
@@ -227,7 +230,7 @@ impl Ropes {
             tension: vec![0.0; filled],
             length: vec![0.0; filled],
             dissipative: vec![0.0; filled],
-            each: vec![0.0; filled],
+            terms: vec![0.0; filled],
             dragging: air.and_then(|air| {
                 let rope = air.ropes.get(plan.class).copied().flatten()?;
                 let rest_length: Vec<_> = segments.iter().map(|segment| segment.map(|s| s.rest_length)).collect();
@@ -241,13 +244,13 @@ impl Ropes {
         }
     }
 
-    /// The same as a vector.
+    /// Force of a slot's two segments on it, their drag included, N.
     pub fn force_on(&self, slot: usize) -> DVec3 {
         self.slot_force(slot).into()
     }
 
-    /// Takes out what broke at the forces before, unless these are the same again.
-    pub fn let_go(&mut self, moved: bool) {
+    /// Removes the segments that broke at the forces before, if nodes have `moved` since then.
+    pub fn remove_failed(&mut self, moved: bool) {
         for Failing { slot, .. } in std::mem::take(&mut self.failing) {
             if moved {
                 self.remove(slot);
@@ -255,7 +258,7 @@ impl Ropes {
         }
     }
 
-    /// The segment of this slot is no more.
+    /// Removes the segment of this slot.
     pub fn remove(&mut self, slot: usize) {
         let Axial { rest_length, stiffness, damping } = Axial::GONE;
         (self.rest_length[slot], self.stiffness[slot], self.damping[slot]) = (rest_length, stiffness, damping);
@@ -265,7 +268,7 @@ impl Ropes {
         self.strength.remove(slot);
     }
 
-    /// Finds what breaks under the tensions just computed. A block that does not break pays one comparison a step.
+    /// Finds the segments that break under the tensions just computed. A block that does not break pays one comparison a step.
     pub fn break_under_load(&mut self) {
         if self.strength.holds(self.max_tension) {
             return;
@@ -274,7 +277,7 @@ impl Ropes {
             let (axial, memory) = (self.axial(slot), self.memory.get(slot).copied().unwrap_or_default());
             let energy = self.law.elastic_energy(self.length[slot] - axial.rest_length, &axial, &memory);
             self.failing.push(Failing { slot, tension: self.tension[slot], energy });
-            // nothing takes back what its last tension does
+            // the work of its last tension is lost, so all of that tension is dissipative
             self.dissipative[slot] = self.tension[slot];
         }
     }
@@ -284,7 +287,7 @@ impl Ropes {
         self.rest_length[slot] == Axial::GONE.rest_length
     }
 
-    /// The segment of a slot along itself.
+    /// Rest length, stiffness and damping of a slot's segment.
     pub fn axial(&self, slot: usize) -> Axial {
         let (rest_length, stiffness, damping) = (self.rest_length[slot], self.stiffness[slot], self.damping[slot]);
         Axial { rest_length, stiffness, damping }
@@ -313,10 +316,11 @@ impl Ropes {
     }
 }
 
-/// The blocks of a system, where effects may act on the nodes that say so, (nodes,).
+/// Nodes and ropes of every block of a system. `acted_on`, (nodes,): whether effects may act on a node.
 pub(super) fn blocks(system: &System, acted_on: &[bool]) -> (Vec<Nodes>, Vec<Ropes>) {
     let layout = system.layout();
     let mut exchanges = vec![Exchange::default(); layout.blocks().len()];
+    // tell the home of each knot about its other slots, and these about the home
     for slots in layout.knots() {
         let (home, others) = slots.split_last().expect("a knot has slots");
         let place = exchanges[home.block].homes.len() as u32;

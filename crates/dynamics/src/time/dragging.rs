@@ -37,8 +37,9 @@ pub(super) struct Dragging {
     /// Scratch: density, and the normal coefficient or before it the Reynolds number, of each segment.
     density: Vec<f64>,
     coefficient: Vec<f64>,
-    /// Work done on the air by each segment, and by all, since the pass before, J.
-    each: Vec<f64>,
+    /// Scratch: Reynolds number of each segment in the first loop, then its work on the air, J.
+    scratch: Vec<f64>,
+    /// Work of all segments on the air since the pass before, J.
     pub work: f64,
 }
 
@@ -56,7 +57,7 @@ impl Dragging {
             mean: vec![air.wind.mean.at(0.0); filled],
             density: vec![0.0; filled],
             coefficient: vec![0.0; filled],
-            each: vec![0.0; filled],
+            scratch: vec![0.0; filled],
             work: 0.0,
         }
     }
@@ -78,7 +79,7 @@ impl Dragging {
         }
     }
 
-    /// The segment of this slot is no more.
+    /// Removes the segment of this slot.
     pub fn remove(&mut self, slot: usize) {
         self.half_area[slot] = 0.0;
     }
@@ -106,7 +107,7 @@ impl Dragging {
     /// Finds the coefficients that vectors do not know, from Reynolds numbers: of slow segments, and all of a screen.
     pub fn find_others(&mut self) {
         let all = self.rope.in_screen();
-        for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(&self.each) {
+        for (coefficient, &reynolds) in self.coefficient.iter_mut().zip(&self.scratch) {
             if all || reynolds < PLAIN {
                 *coefficient = self.rope.coefficient(reynolds);
             }
@@ -123,11 +124,12 @@ fn relative((direction, mean, gust): ([f64; 3], f64, [f64; 3]), u: [f64; 3], v: 
 /// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
 #[inline(always)]
 pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
-    let Dragging { rope, mean, density, coefficient, each, .. } = dragging;
+    let Dragging { rope, mean, density, coefficient, scratch, .. } = dragging;
     let per_viscosity = rope.diameter / air.medium.viscosity();
     let by_reynolds = rope.normal.is_none();
     let n = mean.len();
-    let (mean, density, coefficient, reynolds) = (&mean[..n], &mut density[..n], &mut coefficient[..n], &mut each[..n]);
+    let (mean, density, coefficient, reynolds) =
+        (&mean[..n], &mut density[..n], &mut coefficient[..n], &mut scratch[..n]);
     let ([x, y, z], [u, v, w]) = (x, w);
     let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
     let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
@@ -146,7 +148,7 @@ pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging,
 /// Drag of every segment, and what it does on its way.
 #[inline(always)]
 pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
-    let Dragging { rope, half_area, half, middle, mean, density, coefficient, each, .. } = dragging;
+    let Dragging { rope, half_area, half, middle, mean, density, coefficient, scratch, .. } = dragging;
     let [hx, hy, hz] = half;
     let [mx, my, mz] = middle;
     let direction = air.wind.direction.to_array();
@@ -157,9 +159,9 @@ pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging,
         (rope.tangential, direction, gust),
         [&mut hx[1..], &mut hy[1..], &mut hz[1..]],
         [mx, my, mz],
-        each,
+        scratch,
     );
-    dragging.work = sum(&dragging.each);
+    dragging.work = sum(&dragging.scratch);
 }
 
 /// The loop of [`drag_pass`].

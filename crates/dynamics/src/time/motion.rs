@@ -1,4 +1,4 @@
-//! All that a step depends on.
+//! The state on which a step depends.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use crate::effects::Memory;
 use crate::moving::Turning;
 use crate::rope_state::RopeState;
 
-/// What moves, by node: a [`Stepper`](super::step::Stepper) started from it computes the same bits as the one it
+/// Positions, velocities and memory of a net between two steps: a [`Stepper`](super::step::Stepper) started from it computes the same bits as the one it
 /// was taken from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Motion {
@@ -19,10 +19,10 @@ pub struct Motion {
     pub extrapolated: Vec<DVec3>,
     /// How rigid bodies turn, (bodies,).
     pub turning: Vec<Turning>,
-    /// What effects remember.
+    /// Memory of effects.
     pub effects: Memory,
     /// Steps taken.
     pub step: u64,
-    /// What segments remember, and which are broken; those that break in this step are still whole.
+    /// State of segments' laws, and which are broken; those that break in this step are still whole.
     pub ropes: RopeState,
 }

@@ -1,4 +1,4 @@
-//! The loops over a block: all that is hot is here.
+//! The loops over a block, in which a run spends most of its time.
 //!
 //! They have no branches, so that the compiler turns them into vector instructions; which ones is chosen when the program
 //! runs. Neither wider vectors nor threads change a bit: sums run in [`LANES`](crate::lanes::LANES) interleaved parts
@@ -15,10 +15,11 @@ use crate::moving::StepFactors;
 impl Ropes {
     /// Tensions, pulls and drag of all segments, `dt` being the step, s; `moved`, whether one has passed since the
     /// forces before.
-    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, breeze: Option<AirNow>) {
-        self.let_go(moved);
-        if let Some(breeze) = breeze {
-            self.drag(nodes, vectors, breeze);
+    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, air_now: Option<AirNow>) {
+        // segments that broke before, drag, tension, segments that break now
+        self.remove_failed(moved);
+        if let Some(air_now) = air_now {
+            self.drag(nodes, vectors, air_now);
         }
         match self.law {
             Law::Linear => vectors.pull_segments(nodes, self, dt),
@@ -28,17 +29,17 @@ impl Ropes {
     }
 
     /// The drag of all segments of the block.
-    fn drag(&mut self, nodes: &Nodes, vectors: Vectors, breeze: AirNow) {
+    fn drag(&mut self, nodes: &Nodes, vectors: Vectors, air_now: AirNow) {
         let Some(dragging) = &mut self.dragging else { return };
-        dragging.find_wind(&nodes.x, breeze.air);
+        dragging.find_wind(&nodes.x, air_now.air);
         if dragging.goes_by_reynolds() {
-            vectors.meet_wind(nodes, dragging, breeze);
+            vectors.meet_wind(nodes, dragging, air_now);
             dragging.find_others();
         } else {
             dragging.set_coefficient();
-            vectors.meet_wind(nodes, dragging, breeze);
+            vectors.meet_wind(nodes, dragging, air_now);
         }
-        vectors.drag_segments(nodes, dragging, breeze);
+        vectors.drag_segments(nodes, dragging, air_now);
     }
 }
 
@@ -46,7 +47,7 @@ impl Ropes {
 #[inline(always)]
 fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
     let Nodes { x, w, .. } = nodes;
-    let Ropes { pull, tension, length, dissipative, each, rest_length, stiffness, damping, .. } = ropes;
+    let Ropes { pull, tension, length, dissipative, terms, rest_length, stiffness, damping, .. } = ropes;
     let [px, py, pz] = pull;
     pull_each(
         [&x[0], &x[1], &x[2]],
@@ -58,10 +59,10 @@ fn pull_pass(nodes: &Nodes, ropes: &mut Ropes, dt: f64) {
         tension,
         length,
         dissipative,
-        each,
+        terms,
         dt,
     );
-    ropes.rope_work = sum(&ropes.each);
+    ropes.rope_work = sum(&ropes.terms);
     ropes.max_tension = max(&ropes.tension);
 }
 
@@ -103,21 +104,21 @@ fn pull_each(
 /// they are read.
 #[inline(always)]
 fn advance_pass(nodes: &mut Nodes, ropes: &Ropes, factors: StepFactors, gravity: [f64; 3]) {
-    let Nodes { x, v, w, elsewhere, mass, per_mass, each, .. } = nodes;
+    let Nodes { x, v, w, elsewhere, mass, per_mass, terms, .. } = nodes;
     let ([x, y, z], [vx, vy, vz], [wx, wy, wz]) = (x, v, w);
     let masses = [&mass[..], &per_mass[..]];
     let [px, py, pz] = &ropes.pull;
     let [ex, ey, ez] = &*elsewhere;
     // without mass damping nobody asks for m v^2, which costs a sixth of the pass
     if factors.p == 1.0 {
-        advance_each::<NOT>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
-        advance_each::<NOT>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
-        advance_each::<NOT>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
+        advance_each::<NOT>([px, ex], masses, factors, gravity[0], x, vx, wx, terms);
+        advance_each::<NOT>([py, ey], masses, factors, gravity[1], y, vy, wy, terms);
+        advance_each::<NOT>([pz, ez], masses, factors, gravity[2], z, vz, wz, terms);
     } else {
-        advance_each::<SET>([px, ex], masses, factors, gravity[0], x, vx, wx, each);
-        advance_each::<ADD>([py, ey], masses, factors, gravity[1], y, vy, wy, each);
-        advance_each::<ADD>([pz, ez], masses, factors, gravity[2], z, vz, wz, each);
-        nodes.mass_velocity_squared = sum(&nodes.each);
+        advance_each::<SET>([px, ex], masses, factors, gravity[0], x, vx, wx, terms);
+        advance_each::<ADD>([py, ey], masses, factors, gravity[1], y, vy, wy, terms);
+        advance_each::<ADD>([pz, ez], masses, factors, gravity[2], z, vz, wz, terms);
+        nodes.mass_velocity_squared = sum(&nodes.terms);
     }
 }
 
@@ -201,23 +202,23 @@ impl Vectors {
         }
     }
 
-    /// What the segments of a block meet of the wind.
-    fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
+    /// Density, Reynolds number and normal coefficient of all segments of a block.
+    fn meet_wind(self, nodes: &Nodes, dragging: &mut Dragging, air_now: AirNow) {
         match self {
-            Vectors::Widest => widest::meet_wind(nodes, dragging, breeze),
-            Vectors::Avx2 => avx2::meet_wind(nodes, dragging, breeze),
-            Vectors::Avx => avx::meet_wind(nodes, dragging, breeze),
-            Vectors::Baseline => meet_pass(&nodes.x, &nodes.w, dragging, breeze),
+            Vectors::Widest => widest::meet_wind(nodes, dragging, air_now),
+            Vectors::Avx2 => avx2::meet_wind(nodes, dragging, air_now),
+            Vectors::Avx => avx::meet_wind(nodes, dragging, air_now),
+            Vectors::Baseline => meet_pass(&nodes.x, &nodes.w, dragging, air_now),
         }
     }
 
     /// Drag of all segments of a block.
-    fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
+    fn drag_segments(self, nodes: &Nodes, dragging: &mut Dragging, air_now: AirNow) {
         match self {
-            Vectors::Widest => widest::drag_segments(nodes, dragging, breeze),
-            Vectors::Avx2 => avx2::drag_segments(nodes, dragging, breeze),
-            Vectors::Avx => avx::drag_segments(nodes, dragging, breeze),
-            Vectors::Baseline => drag_pass(&nodes.x, &nodes.w, dragging, breeze),
+            Vectors::Widest => widest::drag_segments(nodes, dragging, air_now),
+            Vectors::Avx2 => avx2::drag_segments(nodes, dragging, air_now),
+            Vectors::Avx => avx::drag_segments(nodes, dragging, air_now),
+            Vectors::Baseline => drag_pass(&nodes.x, &nodes.w, dragging, air_now),
         }
     }
 
@@ -246,13 +247,13 @@ macro_rules! passes {
             }
 
             #[multiversion(targets($($target),*))]
-            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
-                super::meet_pass(&nodes.x, &nodes.w, dragging, breeze);
+            pub fn meet_wind(nodes: &Nodes, dragging: &mut Dragging, air_now: AirNow) {
+                super::meet_pass(&nodes.x, &nodes.w, dragging, air_now);
             }
 
             #[multiversion(targets($($target),*))]
-            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, breeze: AirNow) {
-                super::drag_pass(&nodes.x, &nodes.w, dragging, breeze);
+            pub fn drag_segments(nodes: &Nodes, dragging: &mut Dragging, air_now: AirNow) {
+                super::drag_pass(&nodes.x, &nodes.w, dragging, air_now);
             }
 
             #[multiversion(targets($($target),*))]

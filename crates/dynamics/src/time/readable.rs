@@ -1,4 +1,4 @@
-//! The step as one reads it: a call an effect, then kick and drift, node by node.
+//! The step in readable form: forces of ropes and effects, then kick and drift, node by node.
 //!
 //! Slower than [`crate::time::step`], which must give the same bits; a test holds them together. Read this one.
 
@@ -27,7 +27,7 @@ pub struct Readable<'a> {
     pub velocity: Vec<DVec3>,
     /// Velocities extrapolated to the step, m/s, (nodes,).
     pub extrapolated: Vec<DVec3>,
-    /// What each segment did at the last forces, (segments,).
+    /// Tension and force of each segment at the last forces, (segments,).
     pub pulls: Vec<Pull>,
     /// Work between the last two forces, J, by the channel that it goes to.
     pub work: ByChannel,
@@ -37,7 +37,7 @@ pub struct Readable<'a> {
     /// All slots of each node, (nodes,).
     slots: Vec<Vec<Address>>,
     taken: u64,
-    /// What segments remember, and which are gone.
+    /// State of segments' laws, and which are broken.
     pub ropes: RopeState,
     /// The segments that broke at the last forces; they are gone from the next on.
     pub failing: Vec<usize>,
@@ -78,7 +78,7 @@ impl<'a> Readable<'a> {
         net
     }
 
-    /// One step: forces, kick, drift, what is carried.
+    /// One step: forces, kick, drift, then nodes that effects carry.
     pub fn step(&mut self) {
         let acceleration = self.accelerations();
         for node in (0..acceleration.len()).filter(|&n| is_free(self.system, n)) {
@@ -181,8 +181,8 @@ impl Net for Arrays<'_> {
     }
 
     fn with_ropes(&self, node: usize, force: DVec3) -> DVec3 {
-        let of_slot = |at: &Address| pull_at(self.system, self.pulls, *at) + drag_at(self.system, self.drags, *at);
-        self.slots[node].iter().map(of_slot).fold(force, |force, of_slot| force + of_slot)
+        let slot_force = |at: &Address| pull_at(self.system, self.pulls, *at) + drag_at(self.system, self.drags, *at);
+        self.slots[node].iter().map(slot_force).fold(force, |force, of_slot| force + of_slot)
     }
 }
 
@@ -196,7 +196,7 @@ fn failing(system: &System, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize>
     for (index, (s, pull)) in system.segments().iter().zip(pulls).enumerate() {
         if !ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
             failing.push(index);
-            // nothing takes back what its last tension does
+            // the work of its last tension is lost, so all of that tension is dissipative
             pull.dissipative = pull.tension;
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::forces::breaking::Breaking;
 
-/// What the segments of a block bear at most; no entries where none ever breaks.
+/// Breaking load, N, and length, m, of each slot's segment, and the least of each; (slots,).
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strength {
     load: Vec<f64>,
@@ -25,11 +25,11 @@ pub(super) struct Failing {
 impl Strength {
     /// From rest length and strength of each slot's segment; slots without one never break.
     pub fn new(slots: &[Option<(f64, Breaking)>]) -> Strength {
-        let each = |value: fn(&(f64, Breaking)) -> f64| -> Vec<f64> {
+        let by_slot = |value: fn(&(f64, Breaking)) -> f64| -> Vec<f64> {
             slots.iter().map(|slot| slot.as_ref().map_or(f64::INFINITY, value)).collect()
         };
-        let load = each(|(_, breaking)| breaking.load);
-        let length = each(|(rest_length, breaking)| breaking.length(*rest_length));
+        let load = by_slot(|(_, breaking)| breaking.load);
+        let length = by_slot(|(rest_length, breaking)| breaking.length(*rest_length));
         Strength { least_load: least(&load), least_length: least(&length), load, length }
     }
 
@@ -44,7 +44,7 @@ impl Strength {
         (0..self.load.len()).filter(breaks)
     }
 
-    /// The segment of this slot is no more.
+    /// Removes the segment of this slot.
     pub fn remove(&mut self, slot: usize) {
         (self.load[slot], self.length[slot]) = (f64::INFINITY, f64::INFINITY);
         (self.least_load, self.least_length) = (least(&self.load), least(&self.length));

@@ -1,4 +1,4 @@
-//! The state at the start as a step needs it.
+//! The state at the start in the form that the first step needs.
 
 use crate::effects::for_each_tie;
 use crate::moving::{Moving, Turning};
@@ -6,7 +6,7 @@ use crate::state::State;
 use crate::system::System;
 use glam::DVec3;
 
-/// What is held rests, ties are where their bodies are, driven nodes are on their way.
+/// Held nodes rest, ties follow their bodies, and driven nodes move along their paths. `dt` is the step, s.
 pub(super) fn started(system: &System, state: &State, dt: f64) -> State {
     let mut state = state.clone();
     for (velocity, _) in state.velocity.iter_mut().zip(system.held()).filter(|(_, held)| **held) {

@@ -18,10 +18,10 @@ use crate::state::State;
 use crate::system::System;
 use crate::team::Team;
 
-/// Below so many slots a thread spends longer waiting than working, and one thread does all.
+/// With fewer slots than this, threads wait longer than they work, and one thread does everything.
 pub const LEAST_SLOTS_FOR_THREADS: usize = 20_000;
 
-/// What a step runs on; nothing here changes a bit of what comes out.
+/// Threads and vectors on which a step runs; no choice changes a bit of the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Engine {
     /// Threads at most.
@@ -49,7 +49,7 @@ pub struct Failure {
     pub energy: f64,
 }
 
-/// What a step adds up over the whole net.
+/// Sums of a step over the whole net.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StepSums {
     /// Work since the forces before, J, by the channel that it goes to; that of breaking segments apart.
@@ -60,16 +60,16 @@ pub struct StepSums {
     pub failing: usize,
 }
 
-/// A net in motion.
+/// A net in motion, stored in blocks of slots: it advances positions and half-step velocities by whole steps.
 pub struct Stepper<'a> {
     system: &'a System,
     factors: StepFactors,
     gravity: [f64; 3],
     nodes: Vec<Nodes>,
     ropes: Vec<Ropes>,
-    /// What the knots of each block tell their other slots.
-    told: Vec<Vec<KnotState>>,
-    /// What acts beside ropes, if anything.
+    /// State of the knots of each block, sent from their homes to their other slots.
+    knot_states: Vec<Vec<KnotState>>,
+    /// Forces beside those of ropes; none where there are no effects.
     effects: Option<Effects<'a>>,
     /// All slots of each node, (nodes,), where effects act.
     slots: Vec<Vec<Address>>,
@@ -110,22 +110,24 @@ impl<'a> Stepper<'a> {
         stepper
     }
 
-    /// All that a step depends on: forces and tensions follow from it, and the rest never changes.
+    /// The state on which a step depends: forces and tensions follow from it, and the rest never changes.
     pub fn motion(&self) -> Motion {
         // taken apart field by field, so that what is new cannot be forgotten here
         let Stepper { system, nodes, effects, taken, .. } = self;
-        let Stepper { factors: _, gravity: _, ropes: _, told: _, slots: _, moved: _, team: _, vectors: _, .. } = self;
-        // what breaks now pulls for the last time: it is told to be whole, and breaks again
+        let Stepper {
+            factors: _, gravity: _, ropes: _, knot_states: _, slots: _, moved: _, team: _, vectors: _, ..
+        } = self;
+        // segments that break now still pull in this step: they are kept as whole, and break again on resuming
         let mut ropes = self.ropes();
         self.failing().for_each(|failing| ropes.broken[failing.segment] = false);
-        let of_each = |value: fn(&Nodes, usize) -> [f64; 3]| {
+        let by_node = |value: fn(&Nodes, usize) -> [f64; 3]| {
             let homes = system.layout().homes().iter();
             homes.map(|&Address { block, slot }| value(&nodes[block], slot).into()).collect()
         };
         Motion {
-            position: of_each(|nodes, slot| nodes.x.each_ref().map(|x| x[slot])),
-            half_step_velocity: of_each(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
-            extrapolated: of_each(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
+            position: by_node(|nodes, slot| nodes.x.each_ref().map(|x| x[slot])),
+            half_step_velocity: by_node(|nodes, slot| nodes.v.each_ref().map(|v| v[slot])),
+            extrapolated: by_node(|nodes, slot| nodes.w.each_ref().map(|w| w[slot])),
             turning: effects.as_ref().map_or(Vec::new(), |effects| effects.turning().to_vec()),
             effects: effects.as_ref().map_or(effects::Memory::default(), Effects::memory),
             step: *taken,
@@ -133,7 +135,7 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// What segments remember and which are broken, by the last forces.
+    /// State of segments' laws, and which segments are broken, at the last forces.
     pub fn ropes(&self) -> RopeState {
         let segments = || self.system.layout().segment_slots().iter().map(|at| (&self.ropes[at.block], at.slot));
         let memory = segments().map(|(ropes, slot)| ropes.memory.get(slot).copied().unwrap_or_default());
@@ -150,7 +152,7 @@ impl<'a> Stepper<'a> {
         failing(&self.ropes, self.system)
     }
 
-    /// A net whose nodes are nowhere yet.
+    /// A net without a state yet.
     fn empty(engine: Engine, system: &'a System, dt: f64, taken: u64) -> Stepper<'a> {
         let mut acted_on = vec![false; system.mass().len()];
         effects::nodes(system.parts(), None, &mut |node| acted_on[node] = true);
@@ -163,7 +165,7 @@ impl<'a> Stepper<'a> {
             system,
             factors,
             gravity: system.environment().gravity.into(),
-            told: nodes.iter().map(|block| vec![KnotState::default(); block.home_count()]).collect(),
+            knot_states: nodes.iter().map(|block| vec![KnotState::default(); block.home_count()]).collect(),
             nodes,
             ropes,
             slots: if effects.is_some() { system.layout().slots_by_node() } else { Vec::new() },
@@ -175,7 +177,7 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Bodies turn like this, (bodies,).
+    /// Sets how bodies turn, (bodies,).
     fn turn(&mut self, turning: Vec<Turning>) {
         if let Some(effects) = &mut self.effects {
             effects.turn(turning);
@@ -192,9 +194,11 @@ impl<'a> Stepper<'a> {
     fn start(&mut self, state: &State) {
         let system = self.system;
         let State { position, velocity, rotation } = started(system, state, self.factors.dt);
+        // forces at the start follow from positions and velocities there
         self.put_all(&position, &velocity, &velocity);
         self.put_ropes(&RopeState::at_rest(system, &position));
         self.forces();
+        // half-step velocities such that the mean about the start is the velocity asked for
         for (node, &home) in system.layout().homes().iter().enumerate() {
             if !system.held()[node] && system.mass()[node] > 0.0 {
                 let (v, a) = (velocity[node], self.acceleration(node));
@@ -207,21 +211,21 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Puts every node into every one of its slots. Each of shape (nodes,).
+    /// Writes every node into all of its slots. Positions, m, and velocities, m/s; each (nodes,).
     fn put_all(&mut self, position: &[DVec3], half_step_velocity: &[DVec3], extrapolated: &[DVec3]) {
         for (block, plan) in self.system.layout().blocks().iter().enumerate() {
             for (slot, content) in plan.slots.iter().enumerate() {
-                let at = |of: &[DVec3]| of[content.node].to_array();
-                self.put(Address { block, slot }, at(position), at(half_step_velocity), at(extrapolated));
+                let value = |values: &[DVec3]| values[content.node].to_array();
+                self.put(Address { block, slot }, value(position), value(half_step_velocity), value(extrapolated));
             }
         }
-        self.nodes.iter().zip(&mut self.told).for_each(|(nodes, told)| nodes.send_knots(told));
+        self.nodes.iter().zip(&mut self.knot_states).for_each(|(nodes, sent)| nodes.send_knots(sent));
         if let Some(effects) = &mut self.effects {
             effects.placed(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
         }
     }
 
-    /// Lets segments remember, and takes those out that are broken.
+    /// Sets the state of segments' laws, and removes broken segments.
     fn put_ropes(&mut self, state: &RopeState) {
         for (segment, &Address { block, slot }) in self.system.layout().segment_slots().iter().enumerate() {
             let ropes = &mut self.ropes[block];
@@ -257,7 +261,7 @@ impl<'a> Stepper<'a> {
         self.pull();
         let (ropes, of_effects) =
             (&self.ropes, self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().force));
-        self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, _| {
+        self.team.for_each(&mut self.nodes, &mut self.knot_states, |block, nodes, _| {
             nodes.collect(ropes, of_effects, block);
         });
         self.sums()
@@ -267,10 +271,11 @@ impl<'a> Stepper<'a> {
     pub fn advance(&mut self) -> StepSums {
         let (factors, gravity, ropes, vectors) = (self.factors, self.gravity, &self.ropes, self.vectors);
         let of_effects = self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().force);
-        self.team.for_each(&mut self.nodes, &mut self.told, |block, nodes, told| {
+        self.team.for_each(&mut self.nodes, &mut self.knot_states, |block, nodes, sent| {
+            // collect forces, kick and drift, send knots to their other slots
             nodes.collect(ropes, of_effects, block);
             vectors.advance_nodes(nodes, &ropes[block], factors, gravity);
-            nodes.send_knots(told);
+            nodes.send_knots(sent);
         });
         self.taken += 1;
         self.carry();
@@ -278,35 +283,38 @@ impl<'a> Stepper<'a> {
         self.sums()
     }
 
-    /// Tension and drag of ropes, then what effects do.
+    /// Tension and drag of ropes, then the forces of effects.
     fn pull(&mut self) {
-        let (dt, told, vectors, moved) = (self.factors.dt, &self.told, self.vectors, self.moved);
+        let (dt, sent, vectors, moved) = (self.factors.dt, &self.knot_states, self.vectors, self.moved);
         let time = self.taken as f64 * dt;
-        let breeze = self.system.environment().air.as_ref().map(|air| AirNow::at(air, time));
+        let air_now = self.system.environment().air.as_ref().map(|air| AirNow::at(air, time));
+        // ropes, block by block, after knots have received their new state
         self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
-            nodes.receive_knots(told);
-            ropes.forces(nodes, vectors, dt, moved, breeze);
+            nodes.receive_knots(sent);
+            ropes.forces(nodes, vectors, dt, moved, air_now);
         });
         self.moved = false;
         let Some(effects) = &mut self.effects else { return };
         let homes = self.system.layout().homes();
         let net = Blocks { nodes: &self.nodes, ropes: &self.ropes, slots: &self.slots, homes };
+        // effects: forces from place and motion, breaking segments, forces that answer all others
         effects.act(&self.team, time, &net);
         effects.part(failing(&self.ropes, self.system).map(|failure| failure.segment));
         effects.couple(&self.team, time, &net);
+        // released nodes start with their launch velocity
         for &(node, before) in &effects.forces().released {
             let Address { block, slot } = homes[node];
             self.nodes[block].v.iter_mut().zip(before.to_array()).for_each(|(v, before)| v[slot] = before);
         }
     }
 
-    /// Moves what effects carry, and tells its other slots.
+    /// Moves the nodes that effects carry, and sends their state to their other slots.
     fn carry(&mut self) {
         let Some(effects) = &mut self.effects else { return };
         let (homes, nodes) = (self.system.layout().homes(), &mut self.nodes);
         let time = self.taken as f64 * self.factors.dt;
         for &(node, moving) in effects.moved(time, |node| nodes[homes[node].block].moving(homes[node].slot)) {
-            nodes[homes[node].block].carry(homes[node].slot, moving, &mut self.told[homes[node].block]);
+            nodes[homes[node].block].carry(homes[node].slot, moving, &mut self.knot_states[homes[node].block]);
         }
     }
 
@@ -328,24 +336,24 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// What the state has stored at the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
+    /// Energy that the state stores at the last forces, J; only between [`Stepper::forces`] and [`Stepper::advance`].
     pub(crate) fn stored(&self, state: &State) -> Ledger {
         Ledger::of(self.system, state, &self.ropes(), self.effects.as_ref())
     }
 
-    /// Keeps, from the next forces on, what the effects of these names do; [`effects::EFFECTS`] has the names.
+    /// Keeps, from the next forces on, the forces of the effects of these names; [`effects::EFFECTS`] has the names.
     pub fn watch(&mut self, names: &[&str]) {
         if let Some(effects) = &mut self.effects {
             effects.watch(names);
         }
     }
 
-    /// What an effect does to nodes and bodies at the last forces; none where it is not watched or there is none of it.
+    /// Forces of an effect on nodes and bodies at the last forces; none where it is absent or not watched.
     pub fn forces_of(&self, name: &str) -> Option<&EffectForces> {
         self.effects.as_ref()?.watched(name)
     }
 
-    /// From the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
+    /// Acceleration of a node, m/s^2, at the last forces; only between [`Stepper::forces`] and [`Stepper::advance`].
     fn acceleration(&self, node: usize) -> [f64; 3] {
         let Address { block, slot } = self.system.layout().homes()[node];
         let nodes = &self.nodes[block];
@@ -353,7 +361,7 @@ impl<'a> Stepper<'a> {
         std::array::from_fn(|k| (force[k] + mass * self.gravity[k]) * per_mass)
     }
 
-    /// The threads that it is advanced on.
+    /// The threads on which the net is advanced.
     pub fn team(&self) -> Team {
         self.team.clone()
     }
@@ -368,7 +376,7 @@ impl<'a> Stepper<'a> {
         self.factors.dt
     }
 
-    /// How the launch stands.
+    /// State of the launch.
     pub fn launching(&self) -> Launching {
         self.effects.as_ref().map_or(Launching::default(), Effects::launching)
     }
@@ -398,7 +406,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// Where nodes were half a step before the step that was taken last, midway between two of their positions, and
-    /// how bodies are turned now. What a body carries follows from the latter.
+    /// how bodies are turned now. Ties follow from the latter.
     pub fn midway(&self, state: &mut State) {
         let dt = self.factors.dt;
         for (position, Address { block, slot }) in state.position.iter_mut().zip(self.system.layout().homes()) {
@@ -482,7 +490,7 @@ impl Net for Blocks<'_> {
 fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = Failure> + use<'r> {
     ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
         let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-        let told = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
-        ropes.failing.iter().map(told)
+        let failure = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+        ropes.failing.iter().map(failure)
     })
 }
