@@ -31,7 +31,7 @@ macro_rules! channels {
     };
 }
 
-/// What kind of energy a channel holds.
+/// Kind of energy in a channel.
 #[derive(PartialEq, Eq)]
 enum Kind {
     /// Stored, from zero on.

@@ -13,7 +13,7 @@ use crate::moving::Net;
 ///
 /// An example is `examples/magnet.rs` of this crate.
 pub trait CustomEffect: Debug + Send + Sync {
-    /// What it is called where its forces are asked for.
+    /// Its name where a caller asks for its forces.
     fn name(&self) -> &str;
 
     /// The nodes that it may exert a force on, each once.
@@ -21,8 +21,8 @@ pub trait CustomEffect: Debug + Send + Sync {
 
     /// Adds its force on each node at `time`, s, to `force`, N, (nodes,). `net` tells where a node is and how it moves.
     ///
-    /// It may be asked more than once at the same time and place: at a record, and where a run goes on. What it remembers
-    /// must then be the same as if it had been asked once.
+    /// It may be asked more than once at the same time and place: at a record, and where a run goes on. Its state
+    /// must then be the same as after one call.
     fn act(&mut self, time: f64, net: &dyn Net, force: &mut [DVec3]);
 
     /// A bound on how stiff it makes a node, N/m, and how much it damps one, N s/m: the largest change of its force
@@ -31,12 +31,12 @@ pub trait CustomEffect: Debug + Send + Sync {
         Vec::new()
     }
 
-    /// What it has to remember beside where nodes are, for a run that is interrupted and goes on.
+    /// State that it needs, beside the positions of nodes, to go on after an interruption.
     fn memory(&self) -> Vec<f64> {
         Vec::new()
     }
 
-    /// Goes on from what it remembered.
+    /// Restores its state.
     fn remember(&mut self, _memory: &[f64]) {}
 
     /// A copy of its own. `Box::new(self.clone())` for what is `Clone`.

@@ -1,7 +1,7 @@
-//! Launchers: what holds a node, and throws it when its time has come.
+//! Launchers: each holds a node, and throws it at a given time.
 //!
 //! A launcher either keeps its node where it is and then lets go of it at a given velocity, or guides it along a tube
-//! under a given force; in the tube it moves along a straight line only. What it guides may be the centre of a rigid
+//! under a given force; in the tube it moves along a straight line only. Its node may be the centre of a rigid
 //! body, which then keeps its attitude, or its spin about it, until it is free. docs/theory/launch.md.
 
 use glam::DVec3;
@@ -104,7 +104,7 @@ impl Push {
 }
 
 impl Launcher {
-    /// What is wrong with it, if anything.
+    /// The reason why it cannot be used, if there is one.
     pub(crate) fn fault(&self) -> Option<&'static str> {
         let is_right = match &self.by {
             Means::Velocity(velocity) => velocity.is_finite() && self.at > 0.0,

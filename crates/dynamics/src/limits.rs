@@ -30,7 +30,7 @@ pub enum Term {
 /// A limit that is exceeded: what, when, where.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Excess {
-    /// What exceeds it.
+    /// The quantity that exceeds it.
     pub term: Term,
     /// By how much: its value.
     pub found: f64,

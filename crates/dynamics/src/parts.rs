@@ -1,4 +1,4 @@
-//! What a system is made from, as data: nodes, segments, what acts on them, what surrounds them.
+//! The parts of a system as plain data: nodes, segments, effects and surroundings.
 
 use glam::DVec3;
 
@@ -121,7 +121,7 @@ pub enum SystemError {
     /// A load, a body, a drive or a launcher names a node that it cannot have.
     #[error("{what} {index} has node {node}, which {why}")]
     Attached {
-        /// What names it.
+        /// The kind of part that names it.
         what: &'static str,
         /// Which of them.
         index: usize,

@@ -39,7 +39,7 @@ pub enum StepError {
         step: u64,
         /// At what time, s.
         time: f64,
-        /// What is missing, J.
+        /// Energy missing, J.
         residual: f64,
     },
     /// The run exceeds a limit of its observer's.
@@ -113,8 +113,8 @@ pub fn simulate(
     })
 }
 
-/// Goes on from a snapshot of a run of the same `system` along the same `schedule`. What `observer` sees is what it
-/// would have seen after that record, bit for bit.
+/// Goes on from a snapshot of a run of the same `system` along the same `schedule`. `observer` sees what it
+/// would have seen after that record in the first run, bit for bit.
 ///
 /// # Panics
 /// Where it is a snapshot of something else; [`Snapshot::check`] says so.

@@ -10,8 +10,8 @@
 //! m = K (dt/f)^2 / 2 + 2 C dt/f        K, C: sums of k and c over what meets at a node; f: the share of the stable step
 //! ```
 //!
-//! A body turns with the moment of inertia m r^2, r being its longest arm. Weight acts as loads. What is out of balance
-//! is looked at with all velocities zero: on a node, the force; on a body, the force on its centre and the torque over
+//! A body turns with the moment of inertia m r^2, r being its longest arm. Weight acts as loads. Forces out of balance
+//! are measured with all velocities zero: on a node, the force; on a body, the force on its centre and the torque over
 //! its longest arm.
 //!
 //! The step is that of [`crate::time`], hence every force that it knows, and the same bits on any number of threads.
@@ -68,7 +68,7 @@ impl Residual {
 pub struct Relaxed {
     /// Positions and orientations; nothing moves.
     pub state: State,
-    /// What is still out of balance.
+    /// Force that is still out of balance.
     pub residual: Residual,
     /// Steps that it took.
     pub iterations: u64,
@@ -81,7 +81,7 @@ pub struct Relaxed {
 pub struct Relaxing {
     /// Steps so far.
     pub iterations: u64,
-    /// What was out of balance when velocities were last set to zero.
+    /// Force out of balance when velocities were last set to zero.
     pub residual: Residual,
 }
 
@@ -196,7 +196,7 @@ pub fn relax(
     })
 }
 
-/// What stays as it is in a relaxation of a system from a state.
+/// Nodes and bodies that stay fixed in a relaxation of a system from a state.
 fn resting(system: &System, state: &State) -> Resting {
     let mut thrown: Vec<bool> = state.velocity.iter().map(|velocity| *velocity != DVec3::ZERO).collect();
     system.launchers().iter().for_each(|launcher| thrown[launcher.node] = true);
@@ -221,7 +221,7 @@ fn weights(system: &System, resting: &Resting) -> impl Iterator<Item = Load> {
     weights.filter(|load| !resting.held[load.node])
 }
 
-/// What effects of a system a relaxation sees, and its weight as loads. Loads that are zero are left out.
+/// Effects of a system that act in a relaxation, and its weight as loads. Loads that are zero are left out.
 fn effects_at_rest(system: &System, resting: &Resting) -> SystemParts {
     let mut rest = SystemParts::default();
     effects::at_rest(system.parts(), resting, &mut rest);
@@ -345,7 +345,7 @@ fn stop(state: &mut State) {
     }
 }
 
-/// What is out of balance at the last forces of a net that does not move.
+/// Force out of balance at the last forces of a net at rest.
 fn residual(net: &Stepper) -> Residual {
     let system = net.system();
     let on_nodes = (0..system.mass().len()).map(|node| (node, net.force(node).length()));

@@ -95,7 +95,7 @@ impl System {
         &self.parts.bodies
     }
 
-    /// What holds nodes and throws them.
+    /// Launchers, which hold nodes and throw them.
     pub fn launchers(&self) -> &[Launcher] {
         &self.parts.launchers
     }

@@ -64,7 +64,7 @@ impl Turbulence {
         }
     }
 
-    /// What it adds to the mean during `duration` seconds, along the unit vectors `axes`. `random` gives numbers between
+    /// Velocity that it adds to the mean wind, m/s, during `duration` seconds, along the unit vectors `axes`. `random` gives numbers between
     /// 0 and 1, three for each wave.
     pub fn series(&self, axes: [DVec3; 3], duration: f64, mut random: impl FnMut() -> f64) -> Series<DVec3> {
         let spacing = 1.0 / (PER_PERIOD * HIGHEST);

@@ -14,7 +14,7 @@ pub struct Wind {
     pub direction: DVec3,
     /// Mean speed, m/s, by height above the muzzle.
     pub mean: Series<f64>,
-    /// What is added, m/s, by time.
+    /// Velocity added to the mean, m/s, by time.
     pub fluctuation: Series<DVec3>,
 }
 

@@ -53,7 +53,7 @@ impl Effect for Bodies {
         parts.bodies.iter().for_each(|body| act_on(body.centre));
     }
 
-    /// What meets at a tie acts on the body.
+    /// Stiffness and damping at a tie act on the body.
     fn bound_carried(parts: &SystemParts, bound: &mut Bound) {
         for body in &parts.bodies {
             for tie in &body.ties {

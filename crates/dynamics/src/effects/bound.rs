@@ -5,7 +5,7 @@ use crate::forces::element::Element;
 use crate::forces::ground::Spring;
 use crate::parts::SystemParts;
 
-/// What makes a node stiff.
+/// The segment or effect that makes a node stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stiff {
     /// A segment, by its number.
@@ -21,8 +21,8 @@ pub enum Stiff {
 
 /// Stiffness and damping at each node, summed over segments and effects: they bound the step.
 pub(crate) struct Bound {
-    /// Sums of stiffness, N/m, (nodes,). What joins two nodes counts in full at each; what stands between a node and the
-    /// world counts half.
+    /// Sums of stiffness, N/m, (nodes,). A spring between two nodes counts in full at each; a spring between a
+    /// node and the world counts half.
     pub stiffness: Vec<f64>,
     /// Sums of damping, N s/m, (nodes,); likewise.
     pub damping: Vec<f64>,
@@ -68,7 +68,7 @@ impl Bound {
         share(&mut self.contact, name, self.stiffness.len())[node] += part * spring.stiffness;
     }
 
-    /// What meets at a tie acts on the body whose centre is given, with this lever.
+    /// Adds the stiffness and damping at a tie to those at its body's centre, times `lever`.
     pub fn pass(&mut self, tie: usize, centre: usize, lever: f64) {
         let drag = self.drag.iter_mut().map(|(_, of_node)| of_node);
         for of_node in [&mut self.stiffness, &mut self.damping].into_iter().chain(drag) {

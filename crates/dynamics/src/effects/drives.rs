@@ -9,7 +9,7 @@ use crate::parts::{SystemError, SystemParts};
 /// Drives in motion. A relaxation leaves them where their paths begin.
 #[derive(Debug, Clone)]
 pub(super) struct Drives {
-    /// What pulls at each driven node.
+    /// Force on each driven node, followed for its work.
     traced: Vec<TracedWork>,
     /// How each of them moves.
     moving: Vec<Moving>,

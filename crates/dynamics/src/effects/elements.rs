@@ -44,8 +44,8 @@ impl<const N: usize> Elements<N> {
         self.gone[index] = true;
     }
 
-    /// Takes out an element as soon as nodes have moved. What it pulls now is lost until then; returns where its nodes
-    /// are, m, none where it is gone or leaving already.
+    /// Takes out an element as soon as nodes have moved. The work of its last force is lost. Returns the positions of
+    /// its nodes, m; none where it is removed or leaving already.
     pub fn leave(&mut self, index: usize) -> Option<[DVec3; N]> {
         if self.gone[index] || self.leaving.contains(&index) {
             return None;
@@ -99,7 +99,7 @@ impl<const N: usize> Elements<N> {
 }
 
 impl<const N: usize> Elements<N> {
-    /// What those that are whole have stored, J, with nodes at `position`, m, (nodes,).
+    /// Elastic energy of all whole elements, J, with nodes at `position`, m, (nodes,).
     pub fn stored<E: Element<N>>(&self, elements: &[E], position: &[DVec3]) -> f64 {
         let whole = |(index, _): &(usize, &E)| !self.gone[*index] && !self.leaving.contains(index);
         let whole = elements.iter().enumerate().filter(whole);

@@ -12,7 +12,7 @@ use crate::moving::Turning;
 use crate::parts::{SystemError, SystemParts};
 use crate::state::State;
 
-/// What the step is bound by where the ground is stiffest.
+/// Name in the step bound of nodes and of bodies alike.
 const NAME: &str = "ground";
 
 /// Nodes that the ground can touch.
@@ -85,7 +85,7 @@ impl Effect for Footings {
     }
 }
 
-/// What a message calls what touches the ground.
+/// Name of a contact point in messages.
 const CONTACT: &str = "contact of the ground";
 
 /// Each node that the ground can touch, with the ground.

@@ -145,7 +145,7 @@ impl Effect for Launchers {
 pub struct Launching {
     /// Each launcher's node, (launchers,).
     pub nodes: Vec<Launched>,
-    /// What the tubes have felt so far.
+    /// Recoil on the tubes so far.
     pub recoil: Recoil,
 }
 
@@ -180,7 +180,7 @@ pub struct Recoil {
     pub peak: (f64, f64),
 }
 
-/// What a launcher does to its node at some forces.
+/// Force of a launcher on its node at one evaluation of forces.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Thrust {
     /// All of it, N.
@@ -251,8 +251,8 @@ impl Phase {
     }
 }
 
-/// What a launcher does to its node of `mass`, kg, that moves like this in this phase, where all other forces on it come
-/// to `pulled`, N, at `time`, s.
+/// Force of a launcher on its node of `mass`, kg, in this phase. All other forces on the node sum to `pulled`, N, at
+/// `time`, s.
 fn thrust(
     launcher: &Launcher,
     phase: Phase,

@@ -1,7 +1,7 @@
 //! Effects: forces on nodes and bodies beside rope tension. Each effect is one file, and one line in one list.
 //!
-//! An [`Effect`] is one contract: what of a system's parts it takes, whether they fit, which nodes it acts on, how stiff
-//! it is, what of it a relaxation sees, what it does in a step, what it stores, what it remembers. Both steps call the
+//! The trait `Effect` in `contract.rs` is the contract: whether the parts fit, on which nodes an effect acts, how stiff it
+//! is, how it takes part in a relaxation, its forces, its stored energy and its memory. Both steps call the
 //! list in the same order, so that forces are summed in the same order whatever the number of threads:
 //!
 //! ```text
@@ -56,7 +56,7 @@ macro_rules! effects {
             $($(#[$doc])* $field: Option<$Effect>,)*
         }
 
-        /// What effects remember from one step to the next beside where nodes are.
+        /// State that effects keep from one step to the next beside the positions of nodes.
         #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
         pub struct Memory {
             $($field: <$Effect as Effect>::Memory,)*
@@ -77,7 +77,7 @@ macro_rules! effects {
             $(<$Effect>::bound_carried(parts, bound);)*
         }
 
-        /// What of effects a relaxation sees goes into `rest`.
+        /// Puts into `rest` the parts of effects that act in a relaxation.
         pub(crate) fn at_rest(parts: &SystemParts, resting: &Resting, rest: &mut SystemParts) {
             $(<$Effect>::at_rest(parts, resting, rest);)*
         }
@@ -151,7 +151,7 @@ macro_rules! effects {
         }
 
         impl Memory {
-            /// What a memory of `parts` has wrong: of what, how many it has, and how many the parts have.
+            /// The first effect whose memory does not fit `parts`: its name, entries found, entries expected.
             pub(crate) fn misfit(&self, parts: &SystemParts) -> Option<(&'static str, usize, usize)> {
                 let counts = [$((<$Effect>::NAME, <$Effect>::remembered(&self.$field), <$Effect>::to_remember(parts)),)*];
                 counts.into_iter().find(|(_, found, expected)| found != expected)
@@ -171,7 +171,7 @@ effects! {
     hinges: sheets::Hinges,
     /// The ground under nodes.
     footings: ground::Footings,
-    /// What is felt beside an orbit.
+    /// Tidal and Coriolis forces beside an orbit.
     orbit: orbit::BesideOrbit,
     /// Drag of sheets and bodies.
     drag: drag::Drag,
@@ -185,7 +185,7 @@ effects! {
     custom: custom::Customs,
     /// Nodes that are led along paths.
     drives: drives::Drives,
-    /// What holds nodes and throws them. Last, as it answers all other forces.
+    /// Launchers, which hold nodes and throw them. Last, as it answers all other forces.
     launchers: launchers::Launchers,
 }
 
@@ -303,7 +303,7 @@ impl<'a> Effects<'a> {
         self.watch.clear();
     }
 
-    /// What an effect that is watched does at the last forces.
+    /// Forces of a watched effect at the last forces.
     pub fn watched(&self, name: &str) -> Option<&EffectForces> {
         self.watch.0.iter().find(|(watched, _)| *watched == name).map(|(_, forces)| forces)
     }
@@ -348,7 +348,7 @@ impl<'a> Effects<'a> {
         &self.forces.carried
     }
 
-    /// Nodes were put where `node` says, and `broken` segments, (segments,), are no more.
+    /// Tells effects the positions and velocities of nodes at the start.
     pub fn placed(&mut self, node: impl Fn(usize) -> Moving) {
         self.list.all().for_each(|effect| effect.placed(self.parts, &node));
     }

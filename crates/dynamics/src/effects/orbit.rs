@@ -1,4 +1,4 @@
-//! What a net feels beside an orbit. The law is [`crate::forces::orbit`].
+//! Forces on a net that flies beside an orbit. The law is [`crate::forces::orbit`].
 
 use glam::DVec3;
 

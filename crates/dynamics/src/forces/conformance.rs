@@ -1,4 +1,4 @@
-//! What every element must pass, whatever it models: its elastic force is the exact gradient of its energy, its dissipative force
+//! Tests that every element must pass: its elastic force is the exact gradient of its energy, its dissipative force
 //! takes energy and does not resist rigid motion, and its bounds hold.
 
 use glam::DVec3;

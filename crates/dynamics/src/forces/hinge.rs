@@ -84,7 +84,7 @@ fn rates([a, b, left, right]: [DVec3; 4], [va, vb, v_left, v_right]: [DVec3; 4])
     [rate.cross(left - a) + edge.cross(v_left - va), (v_right - va).cross(edge) + (right - a).cross(rate)]
 }
 
-/// What the nodes get of forces on the normals.
+/// Forces on the nodes from forces on the normals.
 fn on_nodes([a, b, left, right]: [DVec3; 4], [first, second]: [DVec3; 2]) -> [DVec3; 4] {
     let edge = b - a;
     let (on_left, on_right) = (first.cross(edge), edge.cross(second));

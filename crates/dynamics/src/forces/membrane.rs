@@ -22,7 +22,7 @@ use glam::{DVec2, DVec3};
 /// Stretch up to which [`Element::stiffness`] is a bound.
 pub const LARGEST_STRETCH: f64 = 1.1;
 
-/// What a sheet is made of.
+/// Material and thickness of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fabric {
     /// Elasticity in its plane.

@@ -22,7 +22,7 @@
 //! | launchers: holding, guiding, pushing | [`crate::launcher`], `effects/launchers.rs` | launch |
 //! | damping in proportion to mass, the stand-in for air | [`mass_damping`] | mass_damping |
 //!
-//! What joins a few nodes beside ropes is an [`element`]. Channels are those of [`crate::channel`].
+//! A force between a few nodes that is no rope is an [`element`]. Channels are those of [`crate::channel`].
 
 pub mod added_mass;
 pub mod bending;

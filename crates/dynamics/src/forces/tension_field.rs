@@ -52,7 +52,7 @@ impl Elasticity {
     }
 }
 
-/// What a piece of sheet does under its strain.
+/// State of a piece of sheet under its strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tautness {
     /// It pulls in every direction, or it is a plate.

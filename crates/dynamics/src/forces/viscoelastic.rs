@@ -39,14 +39,14 @@ pub struct Viscoelastic {
     pub relaxation_time: f64,
 }
 
-/// What time alone does to the dashpot between two forces.
+/// How the dashpot relaxes between two evaluations of forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decay {
     /// 1 - a: share of the branch's stretch that goes over to the dashpot.
     taut: f64,
     /// 1 - b: share of the change of stretch that does.
     change: f64,
-    /// What a slack rope keeps.
+    /// Share of the dashpot's stretch that a slack rope keeps.
     slack: f64,
 }
 

@@ -11,7 +11,7 @@ use crate::lanes::{Components, sum, zeros};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AirNow<'a> {
     pub air: &'a Air,
-    /// What is added to the mean wind now, m/s.
+    /// Velocity added to the mean wind now, m/s.
     pub gust: [f64; 3],
 }
 

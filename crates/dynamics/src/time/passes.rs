@@ -167,7 +167,7 @@ pub enum Vectors {
     Avx2,
     /// At most AVX: 256 bits.
     Avx,
-    /// What every machine of its kind has; on x86-64, SSE2: 128 bits.
+    /// Vectors that every machine of its kind has; on x86-64, SSE2: 128 bits.
     Baseline,
 }
 
