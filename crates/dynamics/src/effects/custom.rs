@@ -28,12 +28,12 @@ impl Effect for Customs {
     type Memory = Vec<Vec<f64>>;
 
     fn of(parts: &SystemParts) -> Option<Self> {
-        let start = |effect: &Box<dyn CustomEffect>| Custom {
+        let start = |effect: &dyn CustomEffect| Custom {
             traced: effect.nodes().into_iter().map(|node| (node, TracedWork::default())).collect(),
             force: vec![DVec3::ZERO; parts.mass.len()],
-            effect: effect.clone(),
+            effect: effect.boxed_clone(),
         };
-        (!parts.custom.is_empty()).then(|| Customs(parts.custom.iter().map(start).collect()))
+        (!parts.custom.is_empty()).then(|| Customs(parts.custom.iter().map(|effect| start(effect.as_ref())).collect()))
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
