@@ -183,6 +183,7 @@ impl Nodes {
     }
 
     /// Position and velocities of the node in `slot`.
+    #[inline]
     pub fn moving(&self, slot: usize) -> Moving {
         let vector = |components: &Components| components.each_ref().map(|values| values[slot]).into();
         Moving { x: vector(&self.x), v: vector(&self.v), w: vector(&self.w) }
@@ -245,6 +246,7 @@ impl Ropes {
     }
 
     /// Force of a slot's two segments on it, their drag included, N.
+    #[inline]
     pub fn force_on(&self, slot: usize) -> DVec3 {
         self.slot_force(slot).into()
     }

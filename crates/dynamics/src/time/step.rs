@@ -474,13 +474,13 @@ struct Blocks<'s> {
 }
 
 impl Net for Blocks<'_> {
-    #[inline]
+    #[inline(always)]
     fn node(&self, node: usize) -> Moving {
         let Address { block, slot } = self.homes[node];
         self.nodes[block].moving(slot)
     }
 
-    #[inline]
+    #[inline(always)]
     fn with_ropes(&self, node: usize, force: DVec3) -> DVec3 {
         self.slots[node].iter().fold(force, |force, at| force + self.ropes[at.block].force_on(at.slot))
     }
