@@ -1,4 +1,4 @@
-//! What went wrong, as a person reads it, and the exit status that it has.
+//! Errors as the user reads them, and their exit status.
 
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -15,18 +15,18 @@ pub enum Complaint {
     Input(Diagnostics),
     /// A path, a name or another argument is wrong: status 2.
     Argument(String),
-    /// The run failed; what it had computed is kept: status 3.
+    /// The run failed; its results up to there are kept: status 3.
     Failed {
         /// Why.
         failure: Failure,
-        /// Where what was computed is.
+        /// The folder that holds the results up to there.
         folder: PathBuf,
-        /// The command that goes on with it, where it can go on.
+        /// The command that resumes the run; none where it cannot be resumed.
         resume: Option<String>,
     },
-    /// What a run computed could not be written any more; the rest is kept: status 3.
+    /// A run could not write its results any more; those written before are kept: status 3.
     CutOff(String),
-    /// Some of several runs failed; all are kept as far as they came: status 3.
+    /// Some of several runs failed; the results of all are kept: status 3.
     SomeFailed(Vec<(String, Failure)>, PathBuf),
     /// Results could not be written: status 1.
     Fault(String),
@@ -42,9 +42,9 @@ impl Complaint {
         }
     }
 
-    /// Tells it on standard error.
+    /// Prints the error on standard error.
     pub fn show(&self) {
-        // who closed standard error does not want to hear it
+        // nobody reads a closed standard error
         let _ = std::io::stderr().write_all(self.text().as_bytes());
     }
 
@@ -75,7 +75,7 @@ impl Complaint {
     }
 }
 
-/// How a failure can be lived with, where it can.
+/// The option that accepts a failure; empty where none does.
 fn accept(failure: &Failure) -> &'static str {
     match failure {
         Failure::Unbalanced { .. } | Failure::Unresolved { .. } => {
@@ -94,7 +94,7 @@ impl From<Diagnostics> for Complaint {
 impl From<ResultError> for Complaint {
     fn from(error: ResultError) -> Complaint {
         match error {
-            // the place for the results was not well chosen, or what is there does not allow what was asked for
+            // the user can choose another folder or another command
             ResultError::TargetIsFile { .. }
             | ResultError::TargetNotOurs { .. }
             | ResultError::TargetUnwritable { .. }

@@ -1,6 +1,6 @@
-//! The `netcast` command. A file a command; each returns how it ended, `main` turns that into an exit status.
+//! The `netcast` program. Each command has its own file and returns a result; `main` turns it into an exit status.
 //!
-//! 0 done; 1 a fault of ours; 2 the input is wrong, nothing was written; 3 the run failed, what was computed is kept.
+//! 0: done. 1: a fault of netcast. 2: the input is wrong; nothing was written. 3: the run failed; its results are kept.
 
 mod commands;
 mod complaint;
@@ -24,9 +24,9 @@ struct Cli {
 
 const FIRST_STEPS: &str = "\
 First steps:
-  netcast init                  write scenario.toml, commented, to start from
-  netcast check scenario.toml   check it; say what it is made of and what a run costs
-  netcast run scenario.toml     run it; results go to results/scenario/, report.html among them
+  netcast init                  write a commented scenario.toml to start from
+  netcast check scenario.toml   check it; print its parts and the cost of a run
+  netcast run scenario.toml     run it; write results and report.html to results/scenario/
 
 Not there yet: export, import, verify, fit, study, intercept
 
@@ -74,5 +74,5 @@ fn main() -> ExitCode {
     }
 }
 
-/// How a command ends.
+/// The result of a command.
 type Ended = Result<(), Complaint>;

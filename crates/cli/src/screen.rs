@@ -1,4 +1,4 @@
-//! What commands print for people: columns of names and values.
+//! Output of the commands for people: columns of names and values.
 
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
@@ -11,7 +11,7 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// Prints a line to standard output; ends the program where it cannot be written, unless that is because nobody reads.
+/// Prints a line to standard output. A closed pipe is ignored; any other failure ends the program.
 pub fn print_line(line: Arguments) {
     if let Err(error) = writeln!(std::io::stdout(), "{line}")
         && error.kind() != ErrorKind::BrokenPipe
@@ -29,7 +29,7 @@ pub fn rows(rows: &[(String, String)]) {
     }
 }
 
-/// A number with `digits` significant digits, without an exponent where it is readable without.
+/// A number with `digits` significant digits; an exponent below 1e-4 and from 1e7 on.
 pub fn number(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -42,7 +42,7 @@ pub fn number(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
-/// The state at the start, looked over.
+/// Prints the longest stretch, stored energy and size of the state at the start.
 pub fn start(start: &StartFacts) {
     let stretch = start.longest_stretch.zip(start.longest_stretch_where.as_ref()).map(|(stretch, label)| {
         let share = 100.0 * stretch;
@@ -63,7 +63,7 @@ pub fn start(start: &StartFacts) {
     ]);
 }
 
-/// How densely the web is packed, and how near its ropes come to each other.
+/// Prints the density of the packed web and the smallest distance between its ropes.
 pub fn packing(packing: &PackingFacts) {
     let density = packing
         .density_kg_m3
@@ -86,7 +86,7 @@ pub fn packing(packing: &PackingFacts) {
     rows(&told.collect::<Vec<_>>());
 }
 
-/// What was chosen or changed for the user.
+/// Prints the notes: values that netcast chose or changed for the user.
 pub fn notes(notes: &[String]) {
     for note in notes {
         say!("note: {note}");

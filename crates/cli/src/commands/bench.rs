@@ -7,7 +7,7 @@ use crate::Ended;
 use crate::complaint::Complaint;
 use crate::screen::{number, say};
 
-/// Say how fast this machine is at this work, and how near to its limit
+/// Measure the speed of this machine at net simulation, and how near that is to the machine's limit
 #[derive(Args)]
 #[command(after_help = "\
 Examples:

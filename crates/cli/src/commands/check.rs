@@ -14,7 +14,7 @@ use crate::Ended;
 use crate::complaint::Complaint;
 use crate::screen::{notes, say, start};
 
-/// Read and check a scenario; print its bill of materials, step size and cost. Runs nothing
+/// Check a scenario without running it; print its bill of materials, step size and cost
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -30,7 +30,7 @@ pub struct Arguments {
     #[arg(long)]
     links: bool,
 
-    /// Print what is known as JSON, and nothing else
+    /// Print the facts as JSON, and nothing else
     #[arg(long)]
     json: bool,
 }

@@ -31,7 +31,7 @@ A file of reported numbers, from a paper or a test, in SI under the names of sum
 
 Ctrl-C stops the runs at their next records; they are compared as far as they came, and the exit status is 3.")]
 pub struct Arguments {
-    /// Scenarios (TOML) to run, or result folders that `netcast run` wrote, which are taken as they are
+    /// Scenarios (TOML) to run, or result folders of `netcast run`, which are read and not run again
     #[arg(value_name = "SCENARIO", required = true)]
     designs: Vec<PathBuf>,
 
@@ -39,7 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Numbers known of the designs from elsewhere, to stand beside theirs
+    /// File of reported numbers, such as measurements, to print beside the results
     #[arg(long, value_name = "FILE.toml")]
     reported: Option<PathBuf>,
 

@@ -19,11 +19,11 @@ Examples:
   netcast init square --out square.toml
   netcast init graph --out nets/mine.toml")]
 pub struct Arguments {
-    /// What to start from
+    /// The kind of scenario to write
     #[arg(value_name = "KIND", default_value = "space", value_parser = kinds())]
     kind: String,
 
-    /// Where to write it; the files that it names go beside it
+    /// File to write; the files that the scenario names are written beside it
     #[arg(long, value_name = "FILE", default_value = "scenario.toml")]
     out: PathBuf,
 }

@@ -1,4 +1,4 @@
-//! One file a command.
+//! The commands, one file each.
 
 pub mod bench;
 pub mod check;
@@ -18,7 +18,9 @@ use netcast::{Case, Diagnostics};
 
 use crate::complaint::Complaint;
 
-/// Set once the user asks to stop, by Ctrl-C or `kill`; at the second time the program ends.
+/// A flag that Ctrl-C or `kill` sets, so that the run stops at the next record.
+///
+/// A second signal ends the program at once.
 ///
 /// # Errors
 /// Where signals cannot be listened for.

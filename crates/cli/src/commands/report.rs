@@ -10,7 +10,7 @@ use crate::Ended;
 use crate::complaint::Complaint;
 use crate::screen::say;
 
-/// Write report.html of a result folder anew, and pictures of it
+/// Write the report.html of a result folder again, and pictures if asked
 #[derive(Args)]
 #[command(after_help = "\
 Examples:

@@ -15,7 +15,7 @@ use crate::complaint::Complaint;
 use crate::progress::Bar;
 use crate::screen::say;
 
-/// Run a scenario: results to a folder, a summary to the screen
+/// Run a scenario; write results to a folder and print a summary
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -38,8 +38,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
 
-    /// Go on from where a run of the same scenario was interrupted or cut off; the results are those of a run that was
-    /// not
+    /// Resume an interrupted run of the same scenario; results equal those of an uninterrupted run
     #[arg(long)]
     resume: bool,
 
@@ -103,7 +102,7 @@ fn checkpoint_every(text: &str) -> Result<CheckpointEvery, String> {
 }
 
 impl Arguments {
-    /// The command that goes on with this run.
+    /// The command that resumes this run.
     fn resuming(&self) -> String {
         let path = |path: &PathBuf| quoted(&path.to_string_lossy());
         let mut command = format!("netcast run {}", path(&self.scenario.scenario));
@@ -117,7 +116,7 @@ impl Arguments {
     }
 }
 
-/// A word as a shell takes it.
+/// A word quoted for a shell.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-=+:,@%".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {

@@ -24,7 +24,7 @@ pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
 
-    /// Write where every node lies, in the launch frame: columns id, x, y, z, in m
+    /// Write the position of every node, in the launch frame: columns id, x, y, z, in m
     #[arg(long, value_name = "FILE.csv")]
     write: Option<PathBuf>,
 
