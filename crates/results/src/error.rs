@@ -1,4 +1,4 @@
-//! What can go wrong between a finished computation and a readable result folder.
+//! Errors of writing and reading result folders.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -14,19 +14,19 @@ pub enum ResultError {
         /// The path asked for.
         path: PathBuf,
     },
-    /// The folder holds something that netcast did not write, and must not replace.
+    /// The folder holds files of other programs; netcast does not replace them.
     #[error("{} is not empty and was not written by netcast: empty it or choose another folder", path.display())]
     TargetNotOurs {
         /// The path asked for.
         path: PathBuf,
     },
-    /// The folder is the one the command runs in, or one above it: a swap would pull the ground from under the shell.
+    /// The folder is the current folder or holds it: a swap would leave the shell in a folder that no longer exists.
     #[error("{} is the current folder or holds it: name a folder inside it", path.display())]
     TargetHoldsCurrent {
         /// The path asked for.
         path: PathBuf,
     },
-    /// What a run would write does not fit on the disk.
+    /// The disk is too small for the files of the run.
     #[error(
         "{} needs about {:.0} MB, and its disk has {:.0} MB to give: record less often (record.every, \
          record.fields_every)", path.display(), (1e-6 * needed).ceil(), (1e-6 * available).floor()
@@ -36,7 +36,7 @@ pub enum ResultError {
         path: PathBuf,
         /// Bytes that its run writes.
         needed: f64,
-        /// Bytes that there are.
+        /// Bytes free on the disk.
         available: f64,
     },
     /// The folder, or one that it lies in, cannot be made.
@@ -44,7 +44,7 @@ pub enum ResultError {
     TargetUnwritable {
         /// The path asked for.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: io::Error,
     },
     /// Another run is at work on this folder.
@@ -53,7 +53,7 @@ pub enum ResultError {
         /// The folder of that run.
         path: PathBuf,
     },
-    /// A run that did not end left what took time to compute.
+    /// The folder holds the results of an unfinished run, which can be resumed.
     #[error(
         "{} holds a run that did not end: go on with it by --resume, or remove that folder to start anew",
         path.display()
@@ -62,15 +62,15 @@ pub enum ResultError {
         /// The folder of that run.
         path: PathBuf,
     },
-    /// There is no run that could go on.
+    /// No run can be resumed.
     #[error("there is nothing to resume: {} {what}", path.display())]
     NothingToResume {
         /// The result folder.
         path: PathBuf,
-        /// What it is instead.
+        /// The reason, with the folder as its subject.
         what: &'static str,
     },
-    /// A checkpoint is cut short or damaged, or one of another system.
+    /// A checkpoint is cut short, damaged or of another system.
     #[error("{} is cut short, damaged, or no checkpoint of this run: run it anew", path.display())]
     NotCheckpoint {
         /// The file.
@@ -86,7 +86,7 @@ pub enum ResultError {
         /// Which program this is.
         this: String,
     },
-    /// A file was cut off before anything in it was whole.
+    /// A file ends before its first complete part.
     #[error("{}: {what}", path.display())]
     Cut {
         /// The file.
@@ -94,7 +94,7 @@ pub enum ResultError {
         /// How much is missing.
         what: String,
     },
-    /// A file is no longer what it was at the checkpoint.
+    /// A file has changed since the checkpoint.
     #[error("{} is shorter or other than it was at the checkpoint: the run cannot go on, run it anew", path.display())]
     Changed {
         /// The file.
@@ -105,7 +105,7 @@ pub enum ResultError {
     Write {
         /// What was being written.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: io::Error,
     },
     /// The operating system refused a read.
@@ -113,20 +113,20 @@ pub enum ResultError {
     Read {
         /// What was being read.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: io::Error,
     },
-    /// A JSON file does not hold what its name promises.
+    /// A JSON file does not have the expected content.
     #[error("{} is not a valid result: {key}{source}", path.display())]
     Json {
         /// The file.
         path: PathBuf,
         /// The key that cannot be read, with a colon after it; empty where the file is no JSON at all.
         key: String,
-        /// The reason given.
+        /// The cause.
         source: serde_json::Error,
     },
-    /// A number of the summary is infinite or not a number; JSON has no word for it and null would hide it.
+    /// A number of the summary is infinite or not a number; JSON cannot write it, and null would hide it.
     #[error("a number under `{section}` of the summary is not finite")]
     NotFinite {
         /// The summary's section.
@@ -137,7 +137,7 @@ pub enum ResultError {
     Csv {
         /// The file.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: csv::Error,
     },
     /// A cell of a table is neither empty nor a number.
@@ -149,7 +149,7 @@ pub enum ResultError {
         line: u64,
         /// The column's name.
         column: String,
-        /// What stands there.
+        /// The text of the cell.
         text: String,
     },
     /// The field file could not be written or read.
@@ -157,7 +157,7 @@ pub enum ResultError {
     Fields {
         /// The file.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: hdf5_pure::Error,
     },
     /// The field file is sound but holds no netcast result.
