@@ -1,4 +1,4 @@
-//! What happened, in a designer's words.
+//! The result of a run as sentences for a designer.
 
 use netcast_results::summary::{BrokenSegment, Departure};
 use netcast_results::{OPEN_SHARE, Summary};
@@ -7,8 +7,8 @@ use crate::format::{percent, significant, time, with_prefix};
 
 /// The result of a run as sentences, most important first.
 ///
-/// What a scenario does not have (null or missing) is not spoken of; the first sentence says it where a run did not
-/// reach its end. Of a run that came apart nothing else is told: its numbers mean nothing.
+/// A missing or null value gives no sentence. The first sentence says whether the run stopped before its end. A run
+/// whose energy balance failed gets only the sentence on energy: its other numbers mean nothing.
 ///
 /// ```
 /// let mut summary = netcast_results::Summary { finished: true, ..Default::default() };
@@ -52,14 +52,14 @@ pub fn words(summary: &Summary) -> Vec<String> {
     told.iter().filter_map(|sentence| sentence(summary)).collect()
 }
 
-/// Whether the equilibrium is all there is: nothing has happened.
+/// Whether the result is an equilibrium alone, without a step in time.
 pub(crate) fn is_equilibrium(summary: &Summary) -> bool {
     summary.statics.is_some() && summary.step.count == 0
 }
 
 type Sentence = fn(&Summary) -> Option<String>;
 
-/// Share of all energy that a balance misses only where the step no longer resolved the motion.
+/// Closure of the energy balance above which the step did not resolve the motion.
 const CAME_APART: f64 = 0.5;
 
 fn unfinished(summary: &Summary) -> Option<String> {
@@ -67,7 +67,7 @@ fn unfinished(summary: &Summary) -> Option<String> {
     (!summary.finished).then(|| said.to_owned())
 }
 
-/// What a launch comes to that was not given: muzzle speeds and recoil, delays, spin.
+/// Computed values of the launch: muzzle speeds and recoil, delays, spin.
 fn launch(summary: &Summary) -> Option<String> {
     let launch = summary.launch.as_ref()?;
     let departures: Vec<&Departure> = launch.tractors.values().collect();
@@ -140,12 +140,12 @@ fn middle_at_rest(summary: &Summary) -> Option<String> {
     Some(format!("The middle lies {} m {side} its place as drawn, along the launch axis.", significant(travel.abs())))
 }
 
-/// Whether the web is open as it begins, as one is that is held or thrown as it is drawn: it does not open then.
+/// Whether the web is open at the start, such as a web that is held or thrown flat.
 fn starts_open(summary: &Summary) -> bool {
     summary.opening.effective_from_s == Some(0.0)
 }
 
-/// Whether it is so from its beginning to its end.
+/// Whether the web is open from start to end.
 fn stays_open(summary: &Summary) -> bool {
     let end = summary.step.count as f64 * summary.step.dt_s;
     // half a record or so; where a file does not tell the end, it is not a number, and nothing is short of it
@@ -177,13 +177,13 @@ fn effective_opening(summary: &Summary) -> Option<String> {
     };
     let spell = to - from;
     let total = opening.effective_duration_s.unwrap_or(spell);
-    // more than one spell: the longest is told, and what all of them come to
+    // several spells: the sentence gives the longest and the sum of all
     let is_one_of_several = total > spell * 1.001 + 1e-9;
     let [from, to, spell, total] = [from, to, spell, total].map(time);
     let open = percent(OPEN_SHARE);
     Some(match (starts_open(summary), is_one_of_several) {
-        (true, true) => format!("Is open as it begins, and at least {open} so until {to}; for {total} in all."),
-        (true, false) => format!("Is open as it begins, and at least {open} so until {to}."),
+        (true, true) => format!("Is open at the start, and at least {open} so until {to}; for {total} in all."),
+        (true, false) => format!("Is open at the start, and at least {open} so until {to}."),
         (false, true) => format!("At least {open} open from {from} to {to}, its longest spell; {total} in all."),
         (false, false) => format!("At least {open} open from {from} to {to}, for {spell}."),
     })

@@ -135,9 +135,9 @@ fn a_web_that_is_open_as_it_begins_does_not_open() {
     };
     assert_eq!(about_opening(1.0, 1.0), [""; 0]);
     let largest = "Its largest area is 15.7 m² (98 % of the flat web) at 0.800 s.";
-    assert_eq!(about_opening(0.4, 0.4), [largest, "Is open as it begins, and at least 80 % so until 0.400 s."]);
+    assert_eq!(about_opening(0.4, 0.4), [largest, "Is open at the start, and at least 80 % so until 0.400 s."]);
     // and opens again
-    let again = "Is open as it begins, and at least 80 % so until 0.400 s; for 0.600 s in all.";
+    let again = "Is open at the start, and at least 80 % so until 0.400 s; for 0.600 s in all.";
     assert_eq!(about_opening(0.4, 0.6), [largest, again]);
 }
 
