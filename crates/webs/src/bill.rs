@@ -1,4 +1,4 @@
-//! The bill of materials: what a web is made of, how heavy it is and how much room it takes.
+//! The bill of materials: the parts of a web, their mass and the volume of the packed web.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ pub const PACKED_FILL: f64 = 0.5;
 /// A kind of rope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopeKind {
-    /// What it is called.
+    /// Name.
     pub name: String,
     /// Diameter, m.
     pub diameter: f64,
@@ -47,11 +47,11 @@ pub struct Parts {
 /// A kind of rope on the bill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopeLine {
-    /// What it is called.
+    /// Name.
     pub name: String,
     /// Diameter, m.
     pub diameter: f64,
-    /// How much of it, m.
+    /// Total length, m.
     pub length: f64,
     /// Its mass, kg.
     pub mass: f64,

@@ -13,7 +13,7 @@ const NOTHING: f64 = 1e-9;
 
 impl CutWeb {
     /// The cells as closed loops of nodes, anticlockwise, the sides of canopies among them; each loop begins at a
-    /// knot. Empty where ropes cross in the flat web without a knot: then there are no cells to speak of.
+    /// knot. Empty where ropes cross in the flat web without a knot: such a web has no cells.
     pub fn cells(&self) -> Vec<Vec<usize>> {
         let sides = self.sides();
         let around = self.around(&sides);

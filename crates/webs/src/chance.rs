@@ -1,17 +1,17 @@
-//! Numbers by chance: 53 bits of a seeded ChaCha8, the same on every machine.
+//! Random numbers: 53 bits of a seeded ChaCha8, the same on every machine.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// What numbers of 53 bits are steps of.
+/// Distance between neighbouring random numbers of 53 bits.
 const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
 
-/// A number from 0 to 1, never 1: each as likely as any other.
+/// A random number, uniform in [0, 1).
 pub fn uniform(source: &mut ChaCha8Rng) -> f64 {
     (source.next_u64() >> 11) as f64 * STEP
 }
 
-/// A number from 0 to 1, never 0, which has a logarithm: each as likely as any other.
+/// A random number, uniform in (0, 1], so that it has a logarithm.
 pub fn uniform_above_zero(source: &mut ChaCha8Rng) -> f64 {
     // exact: the sum has 53 bits too
     uniform(source) + STEP

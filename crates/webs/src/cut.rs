@@ -15,20 +15,20 @@ pub const MOST_SEGMENTS: usize = 50_000_000;
 /// How ropes are cut.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cutting {
-    /// Into equal segments as near to this length, m, as a whole number of them comes; [`Rope::segments`] overrules
+    /// Into equal segments, in the whole number whose length is nearest to this one, m; [`Rope::segments`] overrules
     /// it.
     SegmentLength(f64),
-    /// Into so many segments, rope by rope.
+    /// Into a given number of segments for each rope, (ropes,).
     Counts(Vec<usize>),
 }
 
-/// Why a web cannot be cut as asked.
+/// A web cannot be cut.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CutError {
     /// The segment length is not a positive number.
     #[error("the segment length must be a positive length, not {0} m")]
     SegmentLength(f64),
-    /// The numbers of segments are not one for each rope.
+    /// The list of numbers of segments has another length than the list of ropes.
     #[error("{counts} numbers of segments were given for {ropes} ropes")]
     Counts {
         /// Numbers given.
@@ -39,7 +39,7 @@ pub enum CutError {
     /// A rope has no segment.
     #[error("{0}: a rope has at least 1 segment, not 0")]
     NoSegments(String),
-    /// The segments are too many to be computed with.
+    /// The web would have more than [`MOST_SEGMENTS`] segments.
     #[error("the web would have {segments:.3e} segments; at most {MOST_SEGMENTS} are allowed")]
     TooMany {
         /// The number of segments.

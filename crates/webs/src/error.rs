@@ -1,11 +1,11 @@
-//! Faults of a web: arguments that no web can be drawn with, and nets that cannot be tied.
+//! Errors of a web: arguments out of range, and lists of knots and ropes that make no web.
 
 use std::ops::RangeInclusive;
 
 /// A fault of a web. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WebError {
-    /// No web can be drawn with this value of an argument.
+    /// An argument has a value that no web can have.
     #[error("{fault}")]
     Argument {
         /// The name of the argument, or of the field of an argument, such as "hub_diameter".
@@ -13,7 +13,7 @@ pub enum WebError {
         /// What is wrong with its value.
         fault: String,
     },
-    /// There is no rope, or no knot.
+    /// The web has no rope or no knot.
     #[error("the web is empty: it has {knots} knots and {ropes} ropes")]
     Empty {
         /// Number of knots.
@@ -99,7 +99,7 @@ pub enum WebError {
         /// The rest length given, m.
         value: f64,
     },
-    /// A rope is to be cut into no segments.
+    /// The number of segments of a rope is 0.
     #[error("{label}: a rope has at least 1 segment, not 0")]
     NoSegments {
         /// Position of the rope in the web's ropes.
@@ -107,7 +107,7 @@ pub enum WebError {
         /// The rope's label.
         label: String,
     },
-    /// The web falls apart.
+    /// Some knots are not connected to the others.
     #[error("the web is in {pieces} pieces: nothing joins {a} and {b}")]
     Disconnected {
         /// Label of a knot in one piece.
@@ -117,7 +117,7 @@ pub enum WebError {
         /// The number of pieces.
         pieces: usize,
     },
-    /// Tractors are wanted, but the web has no corners to tie them to.
+    /// The web has no corners to tie tractors to.
     #[error("the web names no corners, so there is nothing to tie tractors to")]
     NoCorners,
     /// A corner lies at the middle of the web, so that its traction rope has no direction.
@@ -126,8 +126,8 @@ pub enum WebError {
         /// Label of the corner's knot.
         corner: String,
     },
-    /// The web has its tractors already.
-    #[error("the web has its tractors already")]
+    /// The web already has tractors.
+    #[error("the web already has tractors")]
     TractorsTwice,
 }
 

@@ -1,4 +1,4 @@
-//! What is thrown: knots, ropes and canopies of each kind of web, cut into segments, packed, and counted.
+//! Webs: drawn as knots, ropes and canopies, cut into segments, packed for the launch, and billed.
 //!
 //! ```text
 //! square(..) traditional(..)   ──▶ Web ──with_traction──▶ Web ──cut──▶ CutWeb ──Pattern::pack──▶ positions

@@ -15,11 +15,11 @@ use crate::{Class, Knot, Rope, Site, Web, WebError};
 
 /// What stands on the knots of the lattice.
 pub(crate) struct PlateKind {
-    /// What one is called in labels.
+    /// Name of one plate in labels.
     pub(crate) name: &'static str,
-    /// What several are called in errors.
+    /// Name of several plates in errors.
     pub(crate) names: &'static str,
-    /// Which argument of the web is its side.
+    /// Name of the argument that gives the side of a plate.
     pub(crate) side_argument: &'static str,
     /// Whether there is a knot in its centre, too.
     pub(crate) has_hub: bool,

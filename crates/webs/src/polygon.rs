@@ -16,7 +16,7 @@ const MOST_SIDES: usize = 24;
 
 const MOST_PARALLELS: usize = 1000;
 
-/// The polygon web: a regular polygon with so many sides of this length, m, a corner at 90 degrees, and parallels about
+/// The polygon web: a regular polygon with `sides` sides of `side` m, a corner at 90 degrees, and parallels about
 /// a mesh, m, apart: [`parallel_spacing`].
 ///
 /// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees. Classes:

@@ -16,18 +16,19 @@ use crate::{Class, Knot, Site, Web};
 pub(crate) struct Sectors {
     /// Corners of each ring.
     pub(crate) corners: usize,
-    /// How many of the outline's are corners of the web, evenly apart; a divisor of `corners`.
+    /// Number of corners of the web among those of the outline, evenly spaced; a divisor of `corners`.
     pub(crate) web_corners: usize,
-    /// Distance of each ring's corners from the middle, ascending, m; a first one of 0 is a single knot there.
+    /// Distance of each ring's corners from the middle, ascending, m; a first radius of 0 gives one knot in the middle.
     pub(crate) radii: Vec<f64>,
-    /// Sectors' ropes in the band between each ring and the next: radials from a corner to the next corner, the next
-    /// one's own not counted. Each divides the one after it.
+    /// Number of radials in a sector, for the band between each ring and the next: the radial at the first corner
+    /// counts, the one at the next corner does not. Each number divides the one after it.
     pub(crate) divisions: Vec<usize>,
 }
 
 impl Sectors {
-    /// The web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline, ring, radial. Feature points on the ray at 90 degrees: B the
-    /// innermost knot, C the corner, D the knot half way between (without one, the rope's middle).
+    /// The web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline,
+    /// ring, radial. Feature points on the ray at 90 degrees: B the innermost knot, C the corner,
+    /// D the knot half way between (without one, the rope's middle).
     pub(crate) fn web(&self) -> Web {
         let mut web = Web::default();
         let rings: Vec<Vec<usize>> = (0..self.radii.len()).map(|ring| self.add_ring(&mut web.knots, ring)).collect();
@@ -45,7 +46,7 @@ impl Sectors {
         for (band, pair) in rings.windows(2).enumerate() {
             let radials = self.corners * self.divisions[band];
             for radial in 0..radials {
-                // the knot in the middle is every radial's
+                // all radials share the knot in the middle
                 let on = |ring: &[usize]| ring[radial * ring.len() / radials];
                 ropes.tie(on(&pair[0]), on(&pair[1]), Class::Radial);
             }

@@ -1,14 +1,14 @@
-//! Stubs: the short ends that the outline leaves of ropes it cuts. They would set the time step of the whole web, so
-//! the knot inside is merged into the outline.
+//! Stubs: short ropes between the outline and the first knot inside it. A stub would set the time step of the whole
+//! web, so its inner knot is merged into the outline.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{Class, Rope, Site, Web};
 
-/// A rope taken out with the knot at its inner end.
+/// A stub that was removed together with its inner knot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Merged {
-    /// Label of the rope taken out.
+    /// Label of the rope removed.
     pub rope: String,
     /// Its length as drawn, m.
     pub length: f64,
@@ -18,11 +18,11 @@ pub struct Merged {
     pub into: String,
 }
 
-/// What a merge does to a web, found before anything is changed.
+/// The changes that a merge makes to a web.
 struct Plan {
     /// Outline knot that each merged knot becomes.
     into: BTreeMap<usize, usize>,
-    /// Ropes to take out; each begins or ends at a merged knot.
+    /// Ropes to remove; each begins or ends at a merged knot.
     removed: BTreeSet<usize>,
 }
 

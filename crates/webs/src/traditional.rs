@@ -103,7 +103,7 @@ impl Grid {
     }
 }
 
-/// The traditional web: a hexagon of this side, m, with so many square cells along a side, at least 2.
+/// The traditional web: a hexagon of `side` m, with `cells_per_side` square cells along a side, from 2 to 1000.
 ///
 /// Knots inside are numbered row by row from below; those of the outline follow, anticlockwise from the corner at 30
 /// degrees. Classes: outline; radial, the two lines through the centre; inner, the rest. Feature points: B the knot
@@ -136,9 +136,9 @@ pub fn traditional(side: f64, cells_per_side: usize) -> Result<Web, WebError> {
         let (position, side) = grid.place(end);
         (side, position.distance_squared(compass(side) * grid.side))
     };
-    ends.sort_by(|&one, &other| {
-        let ((side, distance), (other_side, other_distance)) = (along(one), along(other));
-        side.cmp(&other_side).then(distance.total_cmp(&other_distance))
+    ends.sort_by(|&a, &b| {
+        let ((side_a, distance_a), (side_b, distance_b)) = (along(a), along(b));
+        side_a.cmp(&side_b).then(distance_a.total_cmp(&distance_b))
     });
     ends.dedup();
     let mut knot_of_end = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The web: knots, the ropes between them, canopies, and the places on it that have a meaning.
+//! The web: knots, ropes, canopies, corners and feature points.
 
 use std::collections::BTreeMap;
 
@@ -9,11 +9,11 @@ use crate::{Class, vector_area};
 /// A place where ropes are tied: to one another, to a canopy or to a tractor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Knot {
-    /// The one knot of this name; in a graph, the id that the user gave.
+    /// Name, unique in the web; in a graph, the id that the user gave.
     pub name: String,
-    /// What a message calls it, such as "knot 12" or "corner 3 of canopy 14".
+    /// Its name in messages, such as "knot 12" or "corner 3 of canopy 14".
     pub label: String,
-    /// Where it lies in the flat web, m.
+    /// Position in the flat web, m.
     pub position: DVec3,
 }
 
@@ -32,13 +32,13 @@ pub struct Rope {
     pub a: usize,
     /// The knot it ends at.
     pub b: usize,
-    /// The group it is reported in.
+    /// Link class that its tension is reported by.
     pub class: Class,
-    /// What a message calls it, such as "radial rope 7".
+    /// Its name in messages, such as "radial rope 7".
     pub label: String,
-    /// Its length without tension where that is not the distance between its knots, m.
+    /// Rest length, m; none where it is the distance between the two knots.
     pub rest_length: Option<f64>,
-    /// The number of segments to cut it into where that is prescribed.
+    /// Prescribed number of segments; none where [`crate::Cutting`] decides.
     pub segments: Option<usize>,
 }
 
@@ -66,7 +66,7 @@ pub enum Site {
     OnRope {
         /// The rope, as an index into [`Web::ropes`].
         rope: usize,
-        /// How far along: 0 at its knot `a`, 1 at its knot `b`.
+        /// Share of its length from knot `a`: 0 at `a`, 1 at `b`.
         fraction: f64,
     },
 }
@@ -74,9 +74,9 @@ pub enum Site {
 /// A web as designed: flat, before it is cut, packed or loaded.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Web {
-    /// Where ropes are tied.
+    /// Knots, (knots,).
     pub knots: Vec<Knot>,
-    /// The ropes between them.
+    /// Ropes, (ropes,).
     pub ropes: Vec<Rope>,
     /// Hexagonal plates in the order of their numbers.
     pub canopies: Vec<Canopy>,
@@ -85,7 +85,7 @@ pub struct Web {
     pub outline: Vec<Vec<usize>>,
     /// The knots that tractors are tied to.
     pub corners: Vec<usize>,
-    /// The knot that each corner's tractor sits on; none before [`Web::with_traction`], the corners where traction
+    /// The knot of each corner's tractor; none before [`Web::with_traction`], the corners where traction
     /// ropes have no length.
     pub tractors: Vec<usize>,
     /// The traction ropes of each corner; none where tractors are tied straight to the corners.

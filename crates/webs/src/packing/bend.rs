@@ -1,4 +1,4 @@
-//! Bending a sheet: the two ways in which a plane, or a stack of layers, is laid back and forth or rolled up.
+//! Bends of a sheet, a plane or a stack of layers: laid back and forth, or rolled up.
 //!
 //! A sheet of layers is described by s along it and the offset o from its middle layer, |o| <= reach, o growing to the
 //! left of s. A bend maps (s, o) to a plane. Along a straight piece the map is a rigid motion. Along an arc of radius R
@@ -36,17 +36,17 @@ impl Serpentine {
         Serpentine { leg, pitch, reach, legs: ((length + bend) / (leg + bend)).ceil() }
     }
 
-    /// So many legs of this length, in a single layer.
+    /// `legs` legs of length `leg`, m, in a single layer.
     pub fn of(legs: f64, leg: f64, pitch: f64) -> Serpentine {
         Serpentine { leg, pitch, reach: 0.0, legs }
     }
 
-    /// How many layers lie on one another.
+    /// Number of legs.
     pub fn legs(&self) -> f64 {
         self.legs
     }
 
-    /// The length of sheet that it takes, m.
+    /// Length of the sheet along the serpentine, m.
     pub fn length(&self) -> f64 {
         self.legs * self.leg + (self.legs - 1.0) * self.bend()
     }
@@ -55,7 +55,7 @@ impl Serpentine {
         PI * (0.5 * self.pitch + self.reach)
     }
 
-    /// Where a point of the sheet lies, m: x along the legs, y across them, both from the beginning of the middle
+    /// Position of a point of the sheet, m: x along the legs, y across them, both from the beginning of the middle
     /// layer.
     pub fn place(&self, s: f64, offset: f64) -> DVec2 {
         let period = self.leg + self.bend();
@@ -86,7 +86,7 @@ pub(super) struct Roll {
 }
 
 impl Roll {
-    /// Where a point of the sheet lies, m; s counts from its middle, which stays at the origin.
+    /// Position of a point of the sheet, m; s counts from its middle, which stays at the origin.
     pub fn place(&self, s: f64, offset: f64) -> DVec2 {
         if s < 0.0 { -self.half(-s, -offset) } else { self.half(s, offset) }
     }

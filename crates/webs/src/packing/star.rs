@@ -27,7 +27,7 @@ const SHARE: f64 = 0.375;
 /// The folds of a star.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Arms {
-    /// How many arms.
+    /// Number of arms.
     pub count: f64,
     /// Azimuth of the first, rad.
     pub first: f64,
