@@ -2,7 +2,7 @@
 //!
 //! A target takes any bytes. It may refuse them, with a message that says where; it may not panic, hang, or take memory
 //! out of proportion. cargo-fuzz drives the functions through `fuzz_targets/`; an ordinary test,
-//! `tests/tests/fuzz_corpus.rs`, replays the corpus through [`TARGETS`] on every machine.
+//! `tests/regress/fuzz_corpus.rs`, replays the corpus through [`TARGETS`] on every machine.
 
 mod input_files;
 mod refusal;

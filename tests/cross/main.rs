@@ -1,0 +1,7 @@
+//! Runs held against a second method of our own or somebody else's program.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod hanging_net;
+mod swinging_cable;

@@ -1,0 +1,23 @@
+//! Runs held against closed forms, published solutions and laws: conservation, energy balance, symmetry.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod air;
+mod bent_rope;
+mod breaking;
+mod canopies;
+mod catenary;
+mod flight;
+mod folded_chain;
+mod jerked_rope;
+mod launch;
+mod measures;
+mod pendulum;
+mod ring;
+mod sheets;
+mod statics;
+mod string;
+mod taut_rope;
+mod thrown_webs;
+mod ties;
