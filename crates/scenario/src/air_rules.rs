@@ -2,8 +2,8 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::path::Path;
-use crate::rules::table_at;
 use crate::schema::keys_at;
+use crate::tables::table_at;
 use crate::written::Written;
 
 /// Everything in the medium and the wind that does not fit the rest of it.

@@ -1,51 +1,9 @@
 //! The kinds of quantity a scenario may hold: their dimension, their SI unit, and how an error names them.
 
-use std::fmt;
-
+pub use crate::exponents::Dimension;
 use crate::interval::Interval;
-use crate::units::{self, UnitError};
-
-/// Exponents of the base units of a quantity. The radian counts as a base unit, so that an angle is no mere number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Dimension {
-    /// Exponent of the metre.
-    pub length: i32,
-    /// Exponent of the kilogram.
-    pub mass: i32,
-    /// Exponent of the second.
-    pub time: i32,
-    /// Exponent of the radian.
-    pub angle: i32,
-}
-
-impl Dimension {
-    pub(crate) const fn new([length, mass, time, angle]: [i32; 4]) -> Self {
-        Self { length, mass, time, angle }
-    }
-
-    /// This dimension times `other` to the power `power`.
-    pub(crate) fn times(self, other: Self, power: i32) -> Self {
-        Self {
-            length: self.length + power * other.length,
-            mass: self.mass + power * other.mass,
-            time: self.time + power * other.time,
-            angle: self.angle + power * other.angle,
-        }
-    }
-}
-
-impl fmt::Display for Dimension {
-    /// The SI unit of the dimension, such as `m^2 kg s^-2`.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let factors = [("m", self.length), ("kg", self.mass), ("s", self.time), ("rad", self.angle)];
-        let written: Vec<String> = factors
-            .iter()
-            .filter(|(_, exponent)| *exponent != 0)
-            .map(|(unit, exponent)| if *exponent == 1 { unit.to_string() } else { format!("{unit}^{exponent}") })
-            .collect();
-        formatter.write_str(&written.join(" "))
-    }
-}
+use crate::unit_error::UnitError;
+use crate::units;
 
 /// A kind of quantity, such as a length.
 #[derive(Debug, PartialEq)]

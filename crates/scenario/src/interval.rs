@@ -5,7 +5,7 @@ use std::ops::{Bound, RangeBounds};
 
 use serde_json::{Map, Value};
 
-use crate::dimension::Dimension;
+use crate::exponents::Dimension;
 
 /// The values a quantity may take, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::interval::{NonNegative, Positive};
 use crate::path::Path;
 use crate::quantity::{Force, Number, Pressure, Time};
-use crate::rules::ropes;
+use crate::tables::ropes;
 use crate::written::Written;
 
 /// The law of a rope: one table, named after it. Left out: `linear`. The rope's damping works beside each of them.

@@ -10,6 +10,7 @@ use crate::path::Path;
 use crate::quantity::Acceleration;
 use crate::schema::{keys_at, keys_of};
 use crate::selection::Selection;
+use crate::tables::{ropes, table_at};
 use crate::tree::{Node, Table, Value};
 use crate::written::Written;
 
@@ -30,10 +31,6 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     named_stitches_are_all_there_are(written, &mut found);
     air_rules::check(written, &mut found);
     found
-}
-
-pub(crate) fn table_at<'a>(written: &'a Written, path: &str) -> Option<&'a Table> {
-    written.tree.get(&Path::parse(path)).and_then(|node| node.value.as_table())
 }
 
 /// Whether a name can stand in the header of a table and in a script.
@@ -69,12 +66,6 @@ fn assigned_ropes_exist(written: &Written, found: &mut Vec<Diagnostic>) {
             found.push(written.at_value(&Path::default().key("assign").key(&entry.key), message).with_help(help));
         }
     }
-}
-
-/// The tables of all ropes, the default one last.
-pub(crate) fn ropes(written: &Written) -> impl Iterator<Item = Path> {
-    let named = table_at(written, "ropes").into_iter().flat_map(Table::keys);
-    named.map(|name| Path::default().key("ropes").key(name)).chain([Path::default().key("rope")])
 }
 
 fn what_breaks_has_a_strength(written: &Written, found: &mut Vec<Diagnostic>) {

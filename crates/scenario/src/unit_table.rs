@@ -4,9 +4,9 @@
 
 use std::f64::consts::PI;
 
-use crate::dimension::Dimension;
+use crate::exponents::Dimension;
 use crate::nearest::nearest;
-use crate::units::UnitError;
+use crate::unit_error::UnitError;
 
 /// A unit that a scenario may use.
 pub(crate) struct Unit {
