@@ -8,7 +8,8 @@ use netcast_dynamics::system::{Segment, System};
 use netcast_scenario::{Diagnostics, Document, Scenario, Solid};
 use netcast_webs::{Audit, Bill, CutWeb};
 
-use crate::lower::material::{self, Member};
+use crate::lower::material;
+use crate::lower::members::Member;
 use crate::lower::{AirOutline, CutSheet, Draft, Group, Link, PlacedBody, Role, Throw};
 
 /// A scenario ready to be simulated, with the names of its parts.

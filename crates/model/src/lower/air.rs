@@ -21,11 +21,12 @@ use netcast_scenario::interval::{OpenShare, Within};
 use netcast_scenario::{Air as WrittenAir, Canopy, Diagnostic, Diagnostics, Document, Shape, Solidity};
 use netcast_webs::{Class, CutWeb};
 
+use super::air_outline::AirOutline;
 use super::bodies::at_launch;
-use super::canopies::triangles;
+use super::canopy_parts::triangles;
 use super::draft::Draft;
-use super::launch::frame;
-use super::material::{Group, Member, PlacedBody, Role};
+use super::members::{Group, Member, PlacedBody, Role};
+use super::throw::frame;
 use super::wind::wind;
 
 /// Apothem over side of a regular hexagon: sqrt(3)/2.
@@ -37,25 +38,6 @@ const JERKED: f64 = 3.0;
 /// Heights above the muzzle up to which a profile of the wind is tabulated, m.
 const LOWEST_TOP: f64 = 100.0;
 const HIGHEST_TOP: f64 = 3000.0;
-
-/// What the air comes to, for those who look at it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AirOutline {
-    /// Fastest that anything is thrown, m/s.
-    pub launch_speed: f64,
-    /// Share that the web's ropes take of the area within its outline as drawn; none where it has no outline.
-    pub drawn_solidity: Option<f64>,
-    /// The solidity by which the drag of its ropes is that of a screen; none where each drags as if alone.
-    pub solidity: Option<f64>,
-    /// Bodies that a canopy hides.
-    pub hidden: usize,
-    /// Bodies without size that no canopy hides: nothing drags at them.
-    pub sizeless: usize,
-    /// Upward force of the medium on all that it buoys up, N.
-    pub buoyancy: f64,
-    /// Of that, on the web without traction ropes and tractors.
-    pub web_buoyancy: f64,
-}
 
 /// Puts the air round a web that is otherwise complete, where the scenario has any.
 ///

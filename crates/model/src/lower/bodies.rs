@@ -10,8 +10,8 @@ use netcast_scenario::{Attitude, Diagnostics, Scenario, TiedAt};
 use netcast_webs::CutWeb;
 
 use super::draft::Draft;
-use super::launch::Throw;
-use super::material::{PlacedBody, Role};
+use super::members::{PlacedBody, Role};
+use super::throw::Throw;
 
 /// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and places these on their centres.
 pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
@@ -90,7 +90,7 @@ fn arm(scenario: &Scenario, corner: u32, body: &PlacedBody) -> Option<(DVec3, St
 
 /// How the tractor at a corner, from 0, is turned to the world at the start.
 pub fn at_launch(cut: &CutWeb, scenario: &Scenario, throw: Option<&Throw>, corner: usize) -> DQuat {
-    let frame = super::launch::frame(scenario);
+    let frame = super::throw::frame(scenario);
     let axis = frame * DVec3::Z;
     let pointing = match scenario.launch.as_ref().map_or(Attitude::default(), |launch| launch.attitude) {
         Attitude::Flight => throw.map_or(axis, |throw| throw.direction),

@@ -7,10 +7,10 @@ use netcast_dynamics::system::{System, SystemParts};
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario};
 use netcast_webs::{Audit, Bill, CutWeb};
 
-use super::air::AirOutline;
-use super::canopies::Canopies;
-use super::launch::{self, Throw};
-use super::material::{Group, Member, PlacedBody};
+use super::air_outline::AirOutline;
+use super::canopy_parts::Canopies;
+use super::members::{Group, Member, PlacedBody};
+use super::throw::{Throw, frame};
 use super::{STAGES, Stage, drawing};
 use crate::Model;
 
@@ -76,7 +76,7 @@ impl<'d> Draft<'d> {
         Ok(Draft {
             document,
             notes,
-            frame: launch::frame(&scenario),
+            frame: frame(&scenario),
             turns: vec![DMat3::IDENTITY; cut.web.canopies.len()],
             scenario,
             cut,

@@ -7,7 +7,7 @@ use netcast_dynamics::forces::rope_drag::RopeDrag;
 use netcast_scenario::Scenario;
 use netcast_webs::Class;
 
-use super::air::AirOutline;
+use super::air_outline::AirOutline;
 use crate::Model;
 
 /// Ropes of one name in the air; those of a screen apart from others.

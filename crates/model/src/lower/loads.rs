@@ -6,7 +6,7 @@ use netcast_scenario::path::Path;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Load as WrittenLoad, nearest};
 
 use super::draft::Draft;
-use super::material::{Group, Member};
+use super::members::{Group, Member};
 use super::selection::resolve;
 
 /// Adds the loads, by name and then by node. A force per length of rope goes to the ends of each segment, half to either.

@@ -7,11 +7,13 @@ use Stage::*;
 use netcast_scenario::Diagnostics;
 
 mod air;
+mod air_outline;
 mod assignment;
 mod binding;
 mod bodies;
 mod canopies;
 mod canopy_links;
+mod canopy_parts;
 mod draft;
 mod drawing;
 mod drives;
@@ -20,6 +22,7 @@ mod ground;
 mod launch;
 mod loads;
 pub(crate) mod material;
+pub(crate) mod members;
 mod notes;
 mod packing;
 mod places;
@@ -34,17 +37,18 @@ mod statics;
 mod stepping;
 mod stowing;
 mod system;
+mod throw;
 mod ties;
 mod wind;
 
-pub use air::AirOutline;
-pub use canopies::CutSheet;
+pub use air_outline::AirOutline;
+pub use canopy_parts::CutSheet;
 pub(crate) use draft::Draft;
 pub use exposure::{Fall, RopesInAir};
-pub use launch::{Throw, Thrown};
-pub use material::{Group, Link, PlacedBody, Role};
+pub use members::{Group, Link, PlacedBody, Role};
 pub use packing::Packing;
 pub use stowing::node_id;
+pub use throw::{Throw, Thrown};
 
 /// A step on the way to a model, once the web is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use netcast_scenario::Diagnostics;
 
 use super::draft::Draft;
 use super::exposure;
-use super::launch::{Throw, Thrown};
+use super::throw::{Throw, Thrown};
 
 /// Adds what is to be said of the model as a whole.
 pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {

@@ -4,11 +4,11 @@ use glam::DVec3;
 use netcast_scenario::dimension::Dimension;
 use netcast_scenario::interval::{PackingTime, Within};
 use netcast_scenario::path::Path;
+use netcast_scenario::quantity::Length;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, PrescribedStow};
-use netcast_webs::{CutWeb, DrivenNode, Prescribed, StiffPlate};
+use netcast_webs::{CutWeb, DrivenNode, Mouth, Prescribed, StiffPlate};
 
 use super::drives::Drives;
-use super::stowing::mouth;
 
 /// The packing of a web whose nodes have `mass`, kg, and whose canopies keep their shape as `plates`.
 pub fn prescribed(
@@ -65,3 +65,7 @@ fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
 
 /// Where what is led stands.
 const DRIVES: &str = "stow.prescribed.drive";
+
+pub(super) fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
+    Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
+}

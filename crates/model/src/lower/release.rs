@@ -9,8 +9,8 @@ use netcast_scenario::{Diagnostics, Scenario};
 use netcast_webs::Sector;
 
 use super::draft::Draft;
-use super::launch::{Throw, Thrown};
 use super::selection::unknown_knot;
+use super::throw::{Throw, Thrown};
 
 /// Sets the tractors in motion, now or by launchers later, and turns all that spins.
 pub fn launch(draft: &mut Draft) -> Result<(), Diagnostics> {

@@ -10,7 +10,7 @@ use netcast_dynamics::forces::viscoelastic::Viscoelastic;
 use netcast_scenario::path::Path;
 use netcast_scenario::{BilinearLaw, Diagnostics, Document, Rope, RopeLaw, ViscoelasticLaw};
 
-use super::material::section;
+use super::members::section;
 
 /// The law of the rope whose table is at `path`.
 ///

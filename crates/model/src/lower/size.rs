@@ -6,7 +6,8 @@
 use netcast_scenario::{Canopy, Diagnostics, Document, GraphFiles, Scenario, available_memory, bytes_in_words};
 use netcast_webs::{MOST_SEGMENTS, Web};
 
-use super::stepping::MOST_ROWS;
+/// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
+pub const MOST_ROWS: f64 = 1e7;
 
 /// Bytes of a run for each knot with its name, each rope with its label, and each segment with its node.
 const KNOT: f64 = 500.0;

@@ -8,7 +8,8 @@ use netcast_webs::{Class, CutWeb};
 
 use super::draft::Draft;
 use super::drawing::two_digits;
-use super::material::{Group, Member};
+use super::members::{Group, Member};
+use super::size::MOST_ROWS;
 
 use crate::Model;
 
@@ -21,8 +22,6 @@ const AIM: f64 = 0.35;
 /// How much larger a step must become for it to be worth a word.
 const NOTABLE: f64 = 1.3;
 
-/// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
-pub const MOST_ROWS: f64 = 1e7;
 const MOST_STEPS: f64 = 1e12;
 
 impl Model {

@@ -16,10 +16,10 @@ use netcast_webs::{
 };
 
 use super::Stage;
-use super::canopies::{Canopies, CutSheet};
+use super::canopy_parts::{Canopies, CutSheet};
 use super::draft::Draft;
 use super::places;
-use super::prescribed::prescribed;
+use super::prescribed::{mouth, prescribed};
 
 /// Where everything is at launch, in the launch frame.
 struct Stowed {
@@ -189,10 +189,6 @@ fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mout
     };
     let spacing = spacing.expect("a complete scenario has it").si();
     Pattern::Folded(Folded { folding, container, spacing, mouth })
-}
-
-pub(super) fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
-    Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
 }
 
 /// The rows of a stow file by node. Ids are those of knots, or a node's label, as `netcast stow --write` gives them.

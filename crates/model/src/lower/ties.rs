@@ -19,7 +19,7 @@ use netcast_webs::{Class, CutWeb};
 
 use super::draft::Draft;
 use super::loads::unknown_class;
-use super::material::{Group, Member, Part};
+use super::members::{Group, Member, Part};
 use super::selection::{resolve, unknown_knot};
 
 /// The least length of a thread that is as long as what it spans, m.
