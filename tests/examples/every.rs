@@ -43,6 +43,7 @@ impl Example {
     fn check(&self) {
         let run = runs::example(&self.scenario);
         let (name, summary, model) = (&self.name, &run.ran.summary, &run.model);
+        assert_eq!(run.ran.failure, None, "{name}");
         let energy = &summary.energy;
         println!("{name}: closure {:.2e}, of the web {:?}", energy.closure, energy.closure_web);
         assert!(energy.closure <= 0.003, "{name}: closure {}", energy.closure);
