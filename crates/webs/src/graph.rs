@@ -104,13 +104,10 @@ pub fn graph(graph: &Graph) -> Result<Web, Vec<WebError>> {
         return Err(problems);
     }
 
-    let mut web = Web::default();
-    web.knots = graph
-        .nodes
-        .iter()
-        .map(|node| Knot { name: node.id.clone(), label: format!("knot {}", node.id), position: node.position })
-        .collect();
-    web.ropes = tie(graph, &ends, &outline);
+    let knot =
+        |node: &GraphNode| Knot { name: node.id.clone(), label: format!("knot {}", node.id), position: node.position };
+    let knots = graph.nodes.iter().map(knot).collect();
+    let mut web = Web { knots, ropes: tie(graph, &ends, &outline), ..Web::default() };
     let everywhere: Vec<usize> = (0..web.knots.len()).collect();
     let around = if outline.is_empty() { &everywhere } else { &outline };
     if !around.is_empty() {
