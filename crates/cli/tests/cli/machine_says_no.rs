@@ -253,7 +253,7 @@ fn a_graph_that_is_too_large_for_this_machine_is_refused_before_it_is_drawn() {
     refused(&workbench, "ulimit -v 180000; $NETCAST check net.toml", 2, &said);
     // the table alone
     let said = ["web.graph.nodes: cannot read nodes.csv: it has more than 1 MB"];
-    refused(&workbench, "ulimit -v 30000; $NETCAST check net.toml", 2, &said);
+    refused(&workbench, "ulimit -v 36000; $NETCAST check net.toml", 2, &said);
 }
 
 /// Under the tightest limit at which a run is not refused it comes to its end: what is estimated is enough.
