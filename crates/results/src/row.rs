@@ -179,7 +179,7 @@ mod tests {
                 classes: classes.iter().map(class).collect(),
                 ..Landmarks::default()
             },
-            &Channel::ALL[..Channel::COUNT - 1],
+            &Channel::ALL.into_iter().filter(|channel| *channel != Channel::Custom).collect::<Vec<_>>(),
         )
     }
 

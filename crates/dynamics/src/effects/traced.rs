@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// A force and where it acted at the last forces; zero before the first.
+/// A force and where it acted at the last forces. Before the first forces of a run it holds zeros: their work is ignored.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct TracedWork {
     force: DVec3,

@@ -76,7 +76,7 @@ pub fn surround(draft: &mut Draft) -> Result<(), Diagnostics> {
         fastest: JERKED * launch_speed + fastest(&wind) + FALL,
         ..Air::new(medium, wind)
     };
-    let lift = medium.density(0.0) * scenario.environment.gravity.si();
+    let lift = medium.density(0.0) * draft.parts.environment.gravity.length();
     let buoyed = if asked.buoyancy == Some(true) { buoy(draft, &triangles, lift) } else { Buoyed::default() };
     let outline = AirOutline {
         launch_speed,

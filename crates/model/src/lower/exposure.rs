@@ -61,7 +61,7 @@ impl Model {
     /// How the web falls, flat and level, without tractors and their ropes; none where there is no air.
     pub fn fall(&self) -> Option<Fall> {
         let (air, outline) = (self.system.environment().air.as_ref()?, self.air.as_ref()?);
-        let weight = self.bill.web_mass() * self.scenario.environment.gravity.si() - outline.web_buoyancy;
+        let weight = self.bill.web_mass() * self.system.environment().gravity.length() - outline.web_buoyancy;
         if weight <= 0.0 {
             return Some(Fall::Floats);
         }
@@ -107,10 +107,11 @@ fn reynolds(air: &Air, drag: &RopeDrag, speed: f64) -> f64 {
 }
 
 /// What a user may not have expected of the air, and of what stands for it; `falls` where nothing holds the web.
-pub fn notes(scenario: &Scenario, air: Option<&AirOutline>, falls: bool) -> Vec<String> {
+/// `gravity` is the system's, m/s^2.
+pub fn notes(scenario: &Scenario, gravity: f64, air: Option<&AirOutline>, falls: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let environment = &scenario.environment;
-    let (damping, gravity) = (environment.damping.si(), environment.gravity.si());
+    let damping = environment.damping.si();
     let terminal = format!("{:.3} m/s (gravity / damping)", gravity / damping);
     if damping > 0.0 && environment.wind.is_some() {
         notes.push(

@@ -18,7 +18,8 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
         notes.push("the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned());
     }
     notes.extend(launched_and_held(system, throws));
-    notes.extend(exposure::notes(scenario, air.as_ref(), *falls));
+    let gravity = system.environment().gravity.length();
+    notes.extend(exposure::notes(scenario, gravity, air.as_ref(), *falls));
     notes.extend(ill_begun(system, state));
     Ok(())
 }

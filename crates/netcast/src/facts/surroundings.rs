@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
+use glam::DVec3;
 use netcast_dynamics::air::Air;
 use netcast_dynamics::forces::body_drag::Shape;
 use netcast_model::{AirOutline, Model};
@@ -200,7 +201,7 @@ pub(super) fn air(model: &Model) -> Option<AirFacts> {
         normal_coefficient: rope.normal,
     };
     let asked = model.scenario.environment.air.as_ref();
-    let falls = model.scenario.environment.gravity.si() > 0.0;
+    let falls = model.system.environment().gravity != DVec3::ZERO;
     Some(AirFacts {
         altitude_m: asked.and_then(|air| air.altitude).map(|altitude| altitude.si()),
         density_kg_m3: air.medium.density(0.0),
