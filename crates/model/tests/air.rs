@@ -419,7 +419,7 @@ fn what_does_not_fit_is_told_with_its_place() {
     blown(
         "speed = 3\nturbulence = { dryden = { intensity = 0.1, length_scale = 10 }, von_karman = { intensity = 0.1, length_scale = 10 } }",
         "",
-        "environment.wind.turbulence.von_karman: expected only one of its kind, found `dryden` and `von_karman` (an override can \
+        "environment.wind.turbulence.von_karman: expected only one of these tables, found `dryden` and `von_karman` (an override can \
          replace the whole table: --set 'environment.wind.turbulence={von_karman = {...}}')",
     );
     blown(
@@ -442,12 +442,12 @@ fn what_does_not_fit_is_told_with_its_place() {
     blown(
         "series.file = \"wind.csv\"\nspeed = 3",
         "t,vx,vy,vz\n0,1,2,3\n",
-        "environment.wind.speed: a measured wind is all there is: expected only one of `series` and `speed`",
+        "environment.wind.speed: expected only one of `series` and `speed`: a measured wind replaces all other keys",
     );
     blown(
         "series.file = \"wind.csv\"\nmuzzle_height = 3",
         "t,vx,vy,vz\n0,1,2,3\n",
-        "environment.wind.muzzle_height: a measured wind is all there is: expected only one of `series` and `muzzle_height`",
+        "environment.wind.muzzle_height: expected only one of `series` and `muzzle_height`: a measured wind replaces all other keys",
     );
     blown(
         "series.file = \"wind.csv\"",
@@ -460,5 +460,5 @@ fn what_does_not_fit_is_told_with_its_place() {
         "environment.wind.series.file: its rows lie too unevenly for a table of 1e6 entries (leave rows out that lie next to \
          each other, or even them out)",
     );
-    blown("series.file = \"wind.csv\"", "t,vx,vy,vz\n", "environment.wind.series.file: no wind");
+    blown("series.file = \"wind.csv\"", "t,vx,vy,vz\n", "environment.wind.series.file: the file has no rows");
 }

@@ -90,7 +90,7 @@ fn what_does_not_fit_is_told_with_its_place() {
         &format!("{run}load.a.force = [0, 0, 1]"),
         "",
         &[
-            "load.a: nothing is named on which it acts (give one of `load.a.corners`, `load.a.tractors`, `load.a.nodes`, \
+            "load.a: no nodes are named for it to act on (give one of `load.a.corners`, `load.a.tractors`, `load.a.nodes`, \
            `load.a.points`)",
         ],
     );
@@ -154,7 +154,7 @@ fn an_equilibrium_needs_support_and_no_time() {
         "",
     );
     assert!(
-        told[0].starts_with("load.a.ramp: the load is never brought up")
-            && told[1].starts_with("drive.a: nothing is moved")
+        told[0].starts_with("load.a.ramp: the ramp has no effect")
+            && told[1].starts_with("drive.a: the drive has no effect")
     );
 }

@@ -201,7 +201,7 @@ fn what_cannot_be_led_is_told() {
     let wrong = drive(&format!("nodes = [\"knot 99\"], {by}"));
     assert!(wrong.contains("stow.prescribed.drive.it.nodes[0]: unknown node \"knot 99\""), "{wrong}");
     let wrong = drive(by);
-    assert!(wrong.contains("stow.prescribed.drive.it: nothing is named on which it acts"), "{wrong}");
+    assert!(wrong.contains("stow.prescribed.drive.it: no nodes are named for it to act on"), "{wrong}");
     let wrong = drive(&format!("tractors = true, {by}"));
     assert!(wrong.contains("tractor 1 is no part of the web itself"), "{wrong}");
     let wrong = drive("corners = true, file = \"none.csv\"");

@@ -125,10 +125,8 @@ fn what_does_not_fit_is_told_with_its_place() {
     let told = |more: &str| wrong(more, BELT);
     assert_eq!(
         told("breaking = {}\n"),
-        [
-            "net.toml:7: rope.breaking: nothing says at what this rope breaks (give `rope.strength`, `rope.breaking.load` \
-          or `rope.breaking.strain`)"
-        ]
+        ["net.toml:7: rope.breaking: expected a load or a strain at which this rope breaks, found none \
+          (give `rope.strength`, `rope.breaking.load` or `rope.breaking.strain`)"]
     );
     assert_eq!(
         told("law.viscoelastic = { instantaneous_modulus = \"1 GPa\", relaxation_time = 1 }\n"),
@@ -140,7 +138,7 @@ fn what_does_not_fit_is_told_with_its_place() {
     let unknown = &told("law.bilinera = {}\n")[0];
     assert!(unknown.contains("did you mean `bilinear`?"), "{unknown}");
     let two = &told("law = { linear = {}, strut = {} }\n")[0];
-    assert!(two.contains("expected only one of its kind, found `linear` and `strut`"), "{two}");
+    assert!(two.contains("expected only one of these tables, found `linear` and `strut`"), "{two}");
     assert!(told("law.table.file = \"belts.csv\"\n")[0].contains("cannot read"));
     let stowed = &told("law.strut = {}\n[stow.scale]\nfactor = 0.5\n")[0];
     assert!(stowed.contains("compresses struts: segment 1 of") && stowed.contains("by 50.000 %"), "{stowed}");

@@ -1,4 +1,4 @@
-//! What the schema cannot say of `[environment.air]` and `[environment.wind]`.
+//! Rules for `[environment.air]` and `[environment.wind]` that the schema cannot express.
 
 use crate::diagnostic::Diagnostic;
 use crate::path::Path;
@@ -6,14 +6,14 @@ use crate::schema::keys_at;
 use crate::tables::table_at;
 use crate::written::Written;
 
-/// Everything in the medium and the wind that does not fit the rest of it.
+/// Adds every fault of the medium and the wind by these rules to `found`.
 pub(crate) fn check(written: &Written, found: &mut Vec<Diagnostic>) {
-    a_medium_is_dense_and_viscous(written, found);
-    a_wind_blows_in_air(written, found);
-    a_measured_wind_is_all_there_is(written, found);
+    check_medium(written, found);
+    check_wind_has_air(written, found);
+    check_measured_wind(written, found);
 }
 
-fn a_medium_is_dense_and_viscous(written: &Written, found: &mut Vec<Diagnostic>) {
+fn check_medium(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::parse("environment.air");
     let Some(air) = table_at(written, "environment.air") else { return };
     match (air.get("density"), air.get("viscosity")) {
@@ -31,7 +31,7 @@ fn a_medium_is_dense_and_viscous(written: &Written, found: &mut Vec<Diagnostic>)
     }
 }
 
-fn a_wind_blows_in_air(written: &Written, found: &mut Vec<Diagnostic>) {
+fn check_wind_has_air(written: &Written, found: &mut Vec<Diagnostic>) {
     let wind = Path::parse("environment.wind");
     if written.tree.get(&wind).is_some() && written.tree.get(&Path::parse("environment.air")).is_none() {
         let message = "a wind acts by drag, and there is no air";
@@ -39,12 +39,12 @@ fn a_wind_blows_in_air(written: &Written, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn a_measured_wind_is_all_there_is(written: &Written, found: &mut Vec<Diagnostic>) {
+fn check_measured_wind(written: &Written, found: &mut Vec<Diagnostic>) {
     let path = Path::parse("environment.wind");
     let Some(wind) = table_at(written, "environment.wind").filter(|wind| wind.get("series").is_some()) else { return };
     for key in keys_at("environment.wind") {
         if key != "series" && wind.get(key).is_some() {
-            let message = format!("a measured wind is all there is: expected only one of `series` and `{key}`");
+            let message = format!("expected only one of `series` and `{key}`: a measured wind replaces all other keys");
             found.push(written.at_key(&path.key(key), message));
         }
     }

@@ -1,11 +1,11 @@
-//! Checks a scenario as it was written against its schema, and collects everything that is wrong.
+//! Checks the text of a scenario against its schema, and collects every fault.
 
 use serde_json::{Map, Value as Json};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::dimension::Kind;
 use crate::interval::Interval;
-use crate::later::is_kept_for_later;
+use crate::later::is_reserved;
 use crate::nearest::nearest;
 use crate::path::Path;
 use crate::schema::{choices, find_key, schema, variants};
@@ -14,19 +14,19 @@ use crate::written::Written;
 
 type Schema = Map<String, Json>;
 
-/// After so many faults the rest is only counted: it may be another kind of file.
+/// Number of faults that are reported one by one. More are only counted: the file may be of another kind.
 const MOST_FAULTS: usize = 100;
 
-/// Everything in `written` that its schema does not admit.
+/// Every fault of `written` that the schema shows.
 pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
-    let mut check = Check { written, found: Vec::new(), untold: 0 };
+    let mut check = Check { written, found: Vec::new(), more: 0 };
     if let Some(root) = schema().as_object() {
         check.value(&written.tree.root, root, &Path::default());
     }
-    if check.untold > 0 {
+    if check.more > 0 {
         let end = written.source.text.len();
         let place = Place::File { source: written.source.clone(), span: end..end };
-        check.found.push(Diagnostic::new("", format!("and {} more faults", check.untold), Some(place)));
+        check.found.push(Diagnostic::new("", format!("and {} more faults", check.more), Some(place)));
     }
     check.found
 }
@@ -34,7 +34,8 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
 struct Check<'a> {
     written: &'a Written,
     found: Vec<Diagnostic>,
-    untold: usize,
+    /// Number of faults that are counted but not reported.
+    more: usize,
 }
 
 impl Check<'_> {
@@ -75,7 +76,7 @@ impl Check<'_> {
         }
     }
 
-    /// One of several tables, and keys that any of them can have beside it.
+    /// Checks a table that holds one of several tables, and keys that are allowed beside any of them.
     fn variant(&mut self, node: &Node, variants: &[(&str, &Schema)], schema: &Schema, path: &Path) {
         let tables: Vec<String> = variants.iter().map(|(name, _)| format!("[{}]", path.key(name))).collect();
         let expected = match tables.as_slice() {
@@ -89,7 +90,7 @@ impl Check<'_> {
         let beside = schema.get("properties").and_then(Json::as_object);
         let known = || variants.iter().map(|(name, _)| *name);
         let mut first: Option<&str> = None;
-        let mut strangers = false;
+        let mut has_unknown_key = false;
         for entry in &table.0 {
             let here = path.key(&entry.key);
             if let Some(content) = beside.and_then(|beside| beside.get(&entry.key)?.as_object()) {
@@ -98,12 +99,12 @@ impl Check<'_> {
             }
             match (variants.iter().find(|(name, _)| *name == entry.key), first) {
                 (None, _) => {
-                    strangers = true;
+                    has_unknown_key = true;
                     let help = match entry.node.value.as_text() {
                         Some(kind) if entry.key == "type" || entry.key == "kind" => {
                             let kind = nearest(kind, known());
                             let table = kind.map_or(expected.clone(), |kind| format!("[{}]", path.key(&kind)));
-                            Some(format!("the name of a table chooses: write {table}"))
+                            Some(format!("the kind is the name of a table: write {table}"))
                         }
                         _ => None,
                     };
@@ -115,7 +116,7 @@ impl Check<'_> {
                     self.value(&entry.node, schema, &here);
                 }
                 (Some((_, schema)), Some(first)) => {
-                    let message = format!("expected only one of its kind, found `{first}` and `{}`", entry.key);
+                    let message = format!("expected only one of these tables, found `{first}` and `{}`", entry.key);
                     let help =
                         format!("an override can replace the whole table: --set '{path}={{{} = {{...}}}}'", entry.key);
                     self.found.push(self.written.at_key(&here, message).with_help(help));
@@ -123,7 +124,7 @@ impl Check<'_> {
                 }
             }
         }
-        if first.is_none() && !strangers {
+        if first.is_none() && !has_unknown_key {
             let found = if table.0.is_empty() { "an empty table" } else { "none" };
             self.at_value(path, format!("expected {expected}, found {found}"), None);
         }
@@ -153,7 +154,7 @@ impl Check<'_> {
     }
 
     fn table(&mut self, table: &Table, schema: &Schema, path: &Path) {
-        // a table of things the user names
+        // a table whose keys are names that the user chooses
         if let Some(named) = schema.get("additionalProperties").and_then(Json::as_object) {
             for entry in &table.0 {
                 self.value(&entry.node, named, &path.key(&entry.key));
@@ -163,22 +164,22 @@ impl Check<'_> {
         let empty = Schema::new();
         let properties = schema.get("properties").and_then(Json::as_object).unwrap_or(&empty);
         let known: Vec<&str> = properties.keys().map(String::as_str).collect();
-        let mut meant = Vec::new();
+        let mut misspelt = Vec::new();
         for entry in &table.0 {
             let here = path.key(&entry.key);
             match properties.get(&entry.key).and_then(Json::as_object) {
                 Some(content) => self.value(&entry.node, content, &here),
-                None if self.found.len() >= MOST_FAULTS => self.untold += 1,
+                None if self.found.len() >= MOST_FAULTS => self.more += 1,
                 None => {
-                    meant.extend(nearest(&entry.key, &known));
+                    misspelt.extend(nearest(&entry.key, &known));
                     self.unknown_key(&here, &entry.key, known.clone(), None);
                 }
             }
         }
-        // a missing key that a misspelt one stands for has been reported
+        // a required key that is only misspelt has been reported already
         let needed = strings(schema.get("required")).chain(least_alternative(schema, table));
         let missing = needed.filter(|key| table.get(key).is_none());
-        for key in missing.filter(|key| !meant.iter().any(|meant| meant == key)) {
+        for key in missing.filter(|key| !misspelt.iter().any(|meant| meant == key)) {
             let content = properties.get(key).and_then(Json::as_object).unwrap_or(&empty);
             let help = expected_at(&path.key(key), key, content);
             self.at_value(&path.key(key), format!("missing key `{key}`"), Some(help));
@@ -193,9 +194,9 @@ impl Check<'_> {
 
     fn unknown_key(&mut self, path: &Path, key: &str, known: Vec<&str>, help: Option<String>) {
         if self.found.len() >= MOST_FAULTS {
-            return self.untold += 1;
+            return self.more += 1;
         }
-        if is_kept_for_later(&path.to_string()) {
+        if is_reserved(&path.to_string()) {
             let message = format!("`{path}` is not available in this version yet");
             return self.found.push(self.written.at_key(path, message));
         }
@@ -203,27 +204,28 @@ impl Check<'_> {
         let help = help.unwrap_or_else(|| match (nearest(key, &known), find_key(schema(), key).as_slice()) {
             (Some(near), _) => format!("did you mean `{near}`? {}", listed()),
             (None, []) => listed(),
-            (None, elsewhere) => format!("there is {}; {}", elsewhere.join(", "), listed()),
+            (None, elsewhere) => format!("it exists at {}; {}", elsewhere.join(", "), listed()),
         });
         self.found.push(self.written.at_key(path, format!("unknown key `{key}`")).with_help(help));
     }
 
     fn at_value(&mut self, path: &Path, message: String, help: Option<String>) {
         if self.found.len() >= MOST_FAULTS {
-            return self.untold += 1;
+            return self.more += 1;
         }
         self.found.push(self.written.at_value(path, message).with_help_if(help));
     }
 }
 
-/// The keys that stand in for one another, such as a material for what it is known by: the last of the sets where none
-/// is complete, else none.
+/// The keys that `table` lacks of the alternative sets of keys in `schema`, such as a material or its values: the last set
+/// where no set is complete, else nothing.
 fn least_alternative<'s>(schema: &'s Schema, table: &Table) -> Vec<&'s str> {
     let sets = schema.get("anyOf").and_then(Json::as_array).into_iter().flatten();
     let sets: Vec<Vec<&str>> = sets.map(|set| strings(set.get("required")).collect()).collect();
-    match sets.iter().any(|set| set.iter().all(|key| table.get(key).is_some())) {
-        true => Vec::new(),
-        false => sets.last().cloned().unwrap_or_default(),
+    if sets.iter().any(|set| set.iter().all(|key| table.get(key).is_some())) {
+        Vec::new()
+    } else {
+        sets.last().cloned().unwrap_or_default()
     }
 }
 
@@ -231,7 +233,7 @@ fn strings(list: Option<&Json>) -> impl Iterator<Item = &str> {
     list.and_then(Json::as_array).into_iter().flatten().filter_map(Json::as_str)
 }
 
-/// What a place that is no quantity takes.
+/// What a key takes whose value is not a quantity, in words.
 fn describe(kind: Option<&str>, schema: &Schema) -> String {
     match kind {
         Some("object") => "a table".to_string(),
@@ -246,7 +248,7 @@ fn describe(kind: Option<&str>, schema: &Schema) -> String {
     }
 }
 
-/// What a missing key takes, for the one who adds it.
+/// What a missing key takes, as a help.
 fn expected_at(path: &Path, key: &str, schema: &Schema) -> String {
     if let Some(kind) = schema.get("x-dimension").and_then(Json::as_str).and_then(Kind::named) {
         return format!("`{key}` is {}", kind.expected(&Interval::from_schema(schema)));

@@ -1,4 +1,4 @@
-//! A CSV file with a header: its columns checked, its cells read, everything wrong collected with line numbers.
+//! Reads a CSV file with a header: checks its columns, reads its cells, and collects faults with their lines.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -11,14 +11,14 @@ use crate::nearest::nearest;
 use crate::path::Path;
 use crate::written::Written;
 
-/// After so many faults in one file the rest is only counted.
+/// Number of faults of one file that are reported one by one. More are only counted.
 pub(crate) const MOST_FAULTS: usize = 20;
 
-/// Memory that what is read from a table takes, as a multiple of its text.
+/// Memory that the values of a table take, as a multiple of its text.
 const COPIES: f64 = 12.0;
 
-/// A CSV file that a scenario names. Its rows are split when they are read: tables can be larger than all that is made
-/// of them.
+/// A CSV file that a scenario names. Rows are split only when they are read, as a whole table of cells can need more memory
+/// than the values made from it.
 #[derive(Clone, Debug)]
 pub(crate) struct CsvTable {
     source: Arc<Source>,
@@ -34,7 +34,7 @@ struct Row {
     cells: Vec<String>,
 }
 
-/// The rows of a text, its header first.
+/// Iterates over the rows of a text, header first.
 struct Rows<'a> {
     text: &'a str,
     reader: csv::Reader<&'a [u8]>,
@@ -53,7 +53,7 @@ impl Iterator for Rows<'_> {
     type Item = Row;
 
     fn next(&mut self) -> Option<Row> {
-        // the text is in memory and valid UTF-8: nothing is left that could fail
+        // reading cannot fail: the text is in memory and valid UTF-8
         if !self.reader.read_record(&mut self.record).is_ok_and(|more| more) {
             return None;
         }
@@ -69,7 +69,7 @@ impl Iterator for Rows<'_> {
 }
 
 impl CsvTable {
-    /// Reads the file that the scenario names at `path`; none where it names none, or the file cannot be read at all.
+    /// Reads the file that the scenario names at `path`. `None` where it names none or the file cannot be read.
     pub(crate) fn read(
         written: &Written,
         path: &str,
@@ -91,13 +91,11 @@ impl CsvTable {
         let source = Arc::new(Source { name: file.display().to_string(), text });
         let (header, columns) = Rows::new(&source.text).next().map(|row| (row.span, row.cells)).unwrap_or_default();
         let mut table = Self { source, path, header, columns, faults: Vec::new() };
-        match table.check_header(required, optional) {
-            true => Some(table),
-            false => {
-                found.append(&mut table.faults);
-                None
-            }
+        if !table.check_header(required, optional) {
+            found.append(&mut table.faults);
+            return None;
         }
+        Some(table)
     }
 
     fn check_header(&mut self, required: &[&str], optional: &[&str]) -> bool {
@@ -106,13 +104,13 @@ impl CsvTable {
         let header = self.header.clone();
         let columns = self.columns.clone();
         let mut seen = BTreeSet::new();
-        let mut strange = 0;
+        let mut faulty = 0;
         for column in &columns {
             if seen.insert(column) && known.contains(&column.as_str()) {
                 continue;
             }
-            strange += 1;
-            if strange > MOST_FAULTS {
+            faulty += 1;
+            if faulty > MOST_FAULTS {
                 continue;
             } else if known.contains(&column.as_str()) {
                 self.fault(header.clone(), format!("column `{column}` appears twice"), None);
@@ -121,8 +119,8 @@ impl CsvTable {
                 self.fault(header.clone(), format!("unknown column {column:?}, {expected}"), help);
             }
         }
-        if strange > MOST_FAULTS {
-            self.fault(header.clone(), format!("and {} more columns like these", strange - MOST_FAULTS), None);
+        if faulty > MOST_FAULTS {
+            self.fault(header.clone(), format!("and {} more columns like these", faulty - MOST_FAULTS), None);
         }
         for column in required.iter().filter(|column| !columns.iter().any(|found| found == *column)) {
             self.fault(header.clone(), format!("missing column `{column}`, {expected}"), None);
@@ -130,18 +128,18 @@ impl CsvTable {
         self.faults.is_empty()
     }
 
-    /// Reads every row with `read`, which gives none where it has reported a fault.
+    /// Reads every row with `read`, which returns `None` after it has reported a fault.
     pub(crate) fn rows<T>(
         &mut self,
         found: &mut Vec<Diagnostic>,
         mut read: impl FnMut(&mut Cells) -> Option<T>,
     ) -> Vec<T> {
         let mut read_rows = Vec::new();
-        let mut overflow = 0;
+        let mut more = 0;
         let source = self.source.clone();
         for row in Rows::new(&source.text).skip(1) {
-            let is_told = self.faults.len() < MOST_FAULTS;
-            let mut cells = Cells { columns: &self.columns, row: &row, is_told, faults: Vec::new() };
+            let is_reported = self.faults.len() < MOST_FAULTS;
+            let mut cells = Cells { columns: &self.columns, row: &row, is_reported, faults: Vec::new() };
             if row.cells.len() == self.columns.len() {
                 read_rows.extend(read(&mut cells));
             } else {
@@ -152,19 +150,19 @@ impl CsvTable {
                     let cell = column.and_then(|column| self.cell(&row, &column));
                     self.fault(cell.unwrap_or(row.span.clone()), message, help);
                 } else {
-                    overflow += 1;
+                    more += 1;
                 }
             }
         }
-        if overflow > 0 {
+        if more > 0 {
             let end = self.source.text.len();
-            self.fault(end..end, format!("and {overflow} more faults"), None);
+            self.fault(end..end, format!("and {more} more faults"), None);
         }
         found.append(&mut self.faults);
         read_rows
     }
 
-    /// Where the cell in `column` stands; none where the row has quotes, inside which a comma separates nothing.
+    /// The bytes of the cell in `column`. `None` where the row has quotes, as a comma inside quotes separates no cells.
     fn cell(&self, row: &Row, column: &str) -> Option<Range<usize>> {
         let text = &self.source.text[row.span.clone()];
         let place = self.columns.iter().position(|name| name == column)?;
@@ -174,12 +172,12 @@ impl CsvTable {
         Some(start..start + cell.trim().len())
     }
 
-    /// Something wrong with the file as a whole.
+    /// A diagnostic about the file as a whole.
     pub(crate) fn whole(&self, message: &str) -> Diagnostic {
         Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span: 0..0 }))
     }
 
-    /// Something wrong with a row, from 1 below the header.
+    /// A diagnostic about a row; row 1 follows the header.
     pub(crate) fn at_row(&self, row: usize, message: &str) -> Diagnostic {
         let span = Rows::new(&self.source.text).nth(row).map_or(0..0, |row| row.span);
         Diagnostic::new(&self.path, message, Some(Place::File { source: self.source.clone(), span }))
@@ -201,7 +199,7 @@ impl CsvTable {
     }
 }
 
-/// Something wrong with a row, or with its cell in a column.
+/// A fault of a row, or of its cell in `column`.
 struct Fault {
     column: Option<String>,
     message: String,
@@ -212,19 +210,19 @@ struct Fault {
 pub(crate) struct Cells<'a> {
     columns: &'a [String],
     row: &'a Row,
-    is_told: bool,
+    is_reported: bool,
     faults: Vec<Fault>,
 }
 
 impl<'a> Cells<'a> {
-    /// The line of the file, from 1.
+    /// The line of the file, counted from 1.
     pub(crate) fn line(&self) -> usize {
         self.row.line
     }
 
-    /// Whether a fault of this row is told, not only counted: whether help is worth looking for.
-    pub(crate) fn is_told(&self) -> bool {
-        self.is_told
+    /// Whether a fault of this row is reported and not only counted, so that help is worth searching for.
+    pub(crate) fn is_reported(&self) -> bool {
+        self.is_reported
     }
 
     /// Reports a fault of this row.
@@ -237,13 +235,13 @@ impl<'a> Cells<'a> {
         self.faults.push(Fault { column: Some(column.to_owned()), message, help });
     }
 
-    /// The text in `column`; none where the column is left out or the cell is empty.
+    /// The text in `column`. `None` where the column is missing or the cell is empty.
     pub(crate) fn optional_text(&self, column: &str) -> Option<&'a str> {
         let place = self.columns.iter().position(|name| name == column)?;
         Some(self.row.cells[place].as_str()).filter(|text| !text.is_empty())
     }
 
-    /// The text in `column`, which must be there.
+    /// The text in `column`. Reports a fault where the cell is empty.
     pub(crate) fn text(&mut self, column: &str, expected: &str) -> Option<&'a str> {
         let text = self.optional_text(column);
         if text.is_none() {
@@ -252,13 +250,13 @@ impl<'a> Cells<'a> {
         text
     }
 
-    /// The number in `column`, which must be there and finite.
+    /// The number in `column`. Reports a fault where the cell is empty or its number is not finite.
     pub(crate) fn number(&mut self, column: &str) -> Option<f64> {
         let text = self.text(column, "a number")?;
         self.parse(column, text, &Interval::ALL, "a number")
     }
 
-    /// The number in `column`, `Some(None)` where the cell is empty, none where it has reported a fault.
+    /// The number in `column`: `Some(None)` where the cell is empty, `None` after it has reported a fault.
     pub(crate) fn optional_number(&mut self, column: &str, interval: &Interval) -> Option<Option<f64>> {
         let Some(text) = self.optional_text(column) else { return Some(None) };
         let expected = format!("a number {}", interval.describe(Default::default()));
@@ -272,19 +270,20 @@ impl<'a> Cells<'a> {
         }
         number
     }
-    /// The place in the columns x, y, z.
+
+    /// The position in the columns x, y, z, m.
     pub(crate) fn position(&mut self) -> Option<[f64; 3]> {
         let [x, y, z] = ["x", "y", "z"].map(|column| self.number(column));
         Some([x?, y?, z?])
     }
 }
 
-/// The ids of the nodes, each with its line and its place in the file.
+/// The ids of nodes, each with its line and its index among the nodes of the file.
 #[derive(Default)]
 pub(crate) struct Ids(BTreeMap<String, (usize, usize)>);
 
 impl Ids {
-    /// Whether there is none.
+    /// Whether it holds no id.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -294,31 +293,31 @@ impl Ids {
         self.0.contains_key(id)
     }
 
-    /// The id of a row, unless another row has it.
+    /// Adds the id of a row. `None` after a fault: the id is missing or another row has it.
     pub(crate) fn take(&mut self, cells: &mut Cells) -> Option<String> {
         let id = cells.text("id", "a name")?.to_string();
         if let Some((line, _)) = self.0.get(&id) {
-            cells.fault_in("id", format!("node {id:?} stands in line {line} already"), None);
+            cells.fault_in("id", format!("node {id:?} is already in line {line}"), None);
             return None;
         }
         self.0.insert(id.clone(), (cells.line(), self.0.len()));
         Some(id)
     }
 
-    /// The place of the node that a row names in `column`.
+    /// The index of the node that a row names in `column`.
     pub(crate) fn find(&self, cells: &mut Cells, column: &str) -> Option<usize> {
         let id = cells.text(column, "the id of a node")?;
         match self.0.get(id) {
             Some((_, place)) => Some(*place),
             None => {
-                let help = if cells.is_told() { self.suggest(id) } else { None };
+                let help = if cells.is_reported() { self.suggest(id) } else { None };
                 cells.fault_in(column, format!("{column}: unknown node {id:?}"), help);
                 None
             }
         }
     }
 
-    /// The nearest id, as a help.
+    /// The most similar id, as a help.
     pub(crate) fn suggest(&self, id: &str) -> Option<String> {
         nearest(id, self.0.keys()).map(|near| format!("did you mean {near:?}?"))
     }

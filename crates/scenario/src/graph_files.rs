@@ -1,4 +1,4 @@
-//! The files of `[web.graph]`: its nodes and its ropes. All in SI.
+//! The two CSV files of `[web.graph]`: its nodes and its ropes, in SI units.
 
 use std::num::NonZeroU32;
 
@@ -19,34 +19,34 @@ pub struct NodeRow {
     pub id: String,
     /// Position x, y, z, m.
     pub position_m: [f64; 3],
-    /// Mass tied to the node beside that of its ropes, kg.
+    /// Mass at the node in addition to that of its ropes, kg.
     pub mass_kg: f64,
-    /// Whether it stays put.
+    /// Whether it is fixed in place.
     pub fixed: bool,
     /// Velocity x, y, z at the start, m/s.
     pub velocity_m_s: [f64; 3],
-    /// Its line in the file, from 1.
+    /// Its line in the file, counted from 1.
     pub line: usize,
 }
 
 /// A row of the ropes of `[web.graph]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RopeRow {
-    /// The node it starts at, as an index into the nodes.
+    /// The node at its start, as an index into the nodes.
     pub a: usize,
-    /// The node it ends at, as an index into the nodes.
+    /// The node at its end, as an index into the nodes.
     pub b: usize,
-    /// Its name in `[ropes]`; none for that of its class.
+    /// Its rope in `[ropes]`; `None` for the rope of its class.
     pub rope: Option<String>,
     /// Its link class.
     pub class: Option<Class>,
-    /// Its rest length, m; none for the distance between its ends.
+    /// Its rest length, m; `None` for the distance between its ends.
     pub rest_length_m: Option<f64>,
-    /// Its tension as drawn, N; none for that of its rope.
+    /// Its tension as drawn, N; `None` for the pretension of its rope.
     pub pretension_n: Option<f64>,
-    /// How many segments it is cut into; none for what `[solve]` says.
+    /// Number of its segments; `None` to cut it as `[solve]` says.
     pub segments: Option<NonZeroU32>,
-    /// Its line in the file, from 1.
+    /// Its line in the file, counted from 1.
     pub line: usize,
 }
 
@@ -59,7 +59,7 @@ pub struct GraphFiles {
     pub ropes: Vec<RopeRow>,
 }
 
-/// Reads the files of `[web.graph]`; none where the scenario has another web or a file cannot be read.
+/// Reads the files of `[web.graph]`. `None` where the scenario has another web or a file cannot be read.
 pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Option<GraphFiles> {
     let nodes =
         CsvTable::read(written, "web.graph.nodes", &["id", "x", "y", "z"], &["mass", "fixed", "vx", "vy", "vz"], found);
@@ -74,7 +74,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         found.extend(table.as_ref().filter(|table| table.is_empty()).map(|table| table.whole(what)));
     }
     let mut ids = Ids::default();
-    // a node whose row is faulty still has its id: ropes may name it
+    // the id of a node is known even if its row has a fault, so that ropes can name it
     let nodes = nodes?.rows(found, |cells| {
         let id = ids.take(cells)?;
         let [position_m, velocity_m_s] = [cells.position(), velocity(cells)];
@@ -83,7 +83,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         let (position_m, velocity_m_s, mass_kg) = (position_m?, velocity_m_s?, mass?.unwrap_or(0.0));
         Some(NodeRow { id, position_m, mass_kg, fixed, velocity_m_s, line: cells.line() })
     });
-    // without a node every name would be wrong, and that has been said
+    // without nodes every id would be unknown; the missing nodes are reported already
     if ids.is_empty() {
         return None;
     }
@@ -115,7 +115,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
     Some(GraphFiles { nodes, ropes })
 }
 
-/// Checks the nodes that the scenario itself names.
+/// Checks that the nodes exist that the scenario itself names.
 fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
     let mut unknown = 0;
     for list in ["web.graph.outline", "web.graph.corners", "hold.nodes", "points"] {
@@ -155,13 +155,13 @@ fn fixed(cells: &mut Cells) -> Option<bool> {
     }
 }
 
-/// The link class of a rope, by a name that is not taken for something else in the results.
+/// The link class of a rope. Reports a fault where the results use its name for something else.
 fn class(cells: &mut Cells) -> Option<Option<Class>> {
     let Some(name) = cells.optional_text("class") else { return Some(None) };
     let class = Class::from_name(name);
     let why = match (&class, name) {
-        (None, _) => "is kept for what is no rope",
-        (Some(_), "tension") => "is kept for the largest tension of all ropes",
+        (None, _) => "is reserved for parts that are not ropes",
+        (Some(_), "tension") => "is reserved for the largest tension of all ropes",
         (Some(_), name) if !is_plain(name) => "has other characters than letters, digits, spaces, `_`, `-` and `.`",
         _ => return Some(class),
     };

@@ -1,9 +1,9 @@
-//! Keys of the contract that this version does not know yet: named as such, so that nobody looks for a slip of the pen.
+//! Keys that are reserved for later versions. Messages say so, as they are not spelling mistakes.
 
 const LATER: &[&str] = &["contact", "measured", "targets"];
 
-/// Whether the key at `path` is kept free for a later version.
-pub(crate) fn is_kept_for_later(path: &str) -> bool {
+/// Whether the key at `path` is reserved for a later version.
+pub(crate) fn is_reserved(path: &str) -> bool {
     LATER.contains(&path)
 }
 
@@ -14,7 +14,7 @@ mod tests {
     use crate::schema::{find_key, schema};
 
     #[test]
-    fn what_is_kept_for_later_is_not_there_yet() {
+    fn no_reserved_key_exists_yet() {
         for path in LATER {
             let steps = Path::parse(path);
             let Some(crate::path::Step::Key(key)) = steps.0.last() else { panic!("{path}") };

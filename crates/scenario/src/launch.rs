@@ -13,41 +13,43 @@ use crate::quantity::{Angle, AngularSpeed, Force, Length, Number, Speed, Time};
 use crate::tractor::TractorOverride;
 use crate::written::Written;
 
-/// `[launch]`. Left out: nothing is launched.
+/// `[launch]`: how the tractors are thrown. Default: nothing is launched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Launch {
-    /// Speed of the tractors along the launch axis, m/s.
+    /// Speed of the tractors along the launch axis, m/s. Default: 0 m/s.
     pub axial_speed: Speed,
-    /// Speed of the tractors away from the launch axis, along the web's own corner directions, m/s.
+    /// Speed of each tractor away from the launch axis, in the direction of its corner, m/s. Default: 0 m/s.
     pub radial_speed: Speed,
-    /// Elevation of the launch axis above the horizontal.
+    /// Elevation of the launch axis above the horizontal, rad. Default: 90 deg, straight up.
     pub elevation: Angle<QuarterTurns>,
-    /// Azimuth of the launch axis, anticlockwise from x.
+    /// Azimuth of the launch axis, anticlockwise from x, rad. Default: 0 deg.
     pub azimuth: Angle,
-    /// How fast all that is launched turns about the launch axis at the start, rad/s, anticlockwise seen from ahead.
+    /// Angular speed of the packed net about the launch axis at the start, rad/s, anticlockwise as seen from ahead.
+    /// Default: 0 rad/s.
     pub spin: AngularSpeed,
-    /// Where the tractors point at the start.
+    /// Direction of the axes of the tractors at the start. Default: "flight".
     pub attitude: Attitude,
-    /// The tubes that the tractors are launched from. Left out: they start at their speed.
+    /// Straight tubes from which the tractors are launched by a given force, in place of both speeds. Default: none;
+    /// the tractors start with their speed.
     pub tube: Option<Tube>,
-    /// How much the tractors' launches differ by chance. Left out: not at all.
+    /// Random deviations of the launches of the tractors. Default: none.
     pub scatter: Option<Scatter>,
 }
 
-/// Where a body's z axis points.
+/// Direction of the z axis of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Attitude {
-    /// The way it is launched; along the launch axis where it is not.
+    /// In the direction of its launch, or along the launch axis where it is not launched.
     #[default]
     Flight,
     /// Along the launch axis.
     Axis,
 }
 
-/// `[launch.tube]`: a straight tube from where each tractor is stowed. The force that pushes it along is given; what comes
-/// out is its speed, and the recoil.
+/// `[launch.tube]`: each tractor is launched from a straight tube by a given force. The force sets its speed and the
+/// recoil. Give either `force_over_stroke` or `force_over_time`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -55,19 +57,20 @@ pub enum Attitude {
     "not" = {"required": ["force_over_stroke", "force_over_time"]}
 ))]
 pub struct Tube {
-    /// How far it guides a tractor, m.
+    /// Length over which the tube guides a tractor, m.
     pub stroke: Length<Positive>,
-    /// Angle between the tube and the launch axis, outwards.
-    #[serde(default = "no_angle")]
+    /// Angle between the tube and the launch axis, rad, positive outwards. Default: 0 deg.
+    #[serde(default = "default_cant")]
     pub cant: Angle,
-    /// The force on a tractor over the way that it has gone in the tube: a spring, a gas that expands.
+    /// Force on a tractor as a function of its distance in the tube, as of a spring or an expanding gas. Give this or
+    /// `force_over_time`.
     pub force_over_stroke: Option<StrokeForce>,
-    /// The force on a tractor over the time since it was fired.
+    /// Force on a tractor as a function of the time since firing. Give this or `force_over_stroke`.
     pub force_over_time: Option<TimeForce>,
 }
 
-/// A force over a way: points given here, or in a file. Straight between two points, constant before the first and after
-/// the last.
+/// A force as a function of distance, given by points here or in a file. It is linear between two points, constant
+/// before the first and after the last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -75,17 +78,17 @@ pub struct Tube {
     "not" = {"required": ["at", "file"]}
 ))]
 pub struct StrokeForce {
-    /// Ways, m, ascending.
+    /// Distances in the tube, m, in ascending order. Give `at` and `force`, or `file`.
     pub at: Option<Vec<Length<NonNegative>>>,
-    /// The force at each of them, N.
+    /// Force at each of these distances, N.
     pub force: Option<Vec<Force<NonNegative>>>,
-    /// CSV file: columns stroke, in m, and force, in N. Relative to the scenario.
+    /// CSV file with columns stroke, in m, and force, in N. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
 }
 
-/// A force over time: points given here, or in a file. Straight between two points, constant before the first and after
-/// the last.
+/// A force as a function of time, given by points here or in a file. It is linear between two points, constant before
+/// the first and after the last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -93,31 +96,33 @@ pub struct StrokeForce {
     "not" = {"required": ["at", "file"]}
 ))]
 pub struct TimeForce {
-    /// Times since firing, s, ascending.
+    /// Times since firing, s, in ascending order. Give `at` and `force`, or `file`.
     pub at: Option<Vec<Time<NonNegative>>>,
-    /// The force at each of them, N.
+    /// Force at each of these times, N.
     pub force: Option<Vec<Force<NonNegative>>>,
-    /// CSV file: columns time, in s, and force, in N. Relative to the scenario.
+    /// CSV file with columns time, in s, and force, in N. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
 }
 
-/// `[launch.scatter]`: normally distributed, each tractor by itself; the same seed gives the same launch.
+/// `[launch.scatter]`: normally distributed deviations, independent for each tractor. The same seed gives the same
+/// launch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Scatter {
-    /// Standard deviation of a tractor's speed, as a share of it. In a tube the force is scaled such that the speed
-    /// scatters so.
+    /// Standard deviation of a tractor's speed, as a share of it. In a tube the force is scaled so that the speed has
+    /// this deviation. Default: 0.
     pub speed: Number<NonNegative>,
-    /// Standard deviation of a tractor's direction, along each of two axes across it.
+    /// Standard deviation of a tractor's direction, along each of two axes normal to it, rad. Default: 0 deg.
     pub angle: Angle<NonNegative>,
-    /// Standard deviation of the time at which a tractor is launched, s; the first to go does so at its own delay.
+    /// Standard deviation of the launch time of a tractor, s. The first tractor is launched at its own delay.
+    /// Default: 0 s.
     pub delay: Time<NonNegative>,
-    /// Which of all the launches that could be.
+    /// Seed of the random numbers. Default: 0.
     pub seed: u32,
 }
 
-fn no_angle() -> Angle {
+fn default_cant() -> Angle {
     Angle::constant(0.0)
 }
 
@@ -143,7 +148,7 @@ impl Default for Scatter {
 }
 
 impl Launch {
-    /// The launch of a tractor with its own speeds and angles.
+    /// The launch of `tractor`, with the speeds and angles that are given for it.
     pub(crate) fn with(&self, tractor: &TractorOverride) -> Self {
         Self {
             axial_speed: tractor.axial_speed.unwrap_or(self.axial_speed),
@@ -158,34 +163,38 @@ impl Launch {
 /// A row of the file of a force in `[launch.tube]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PushRow {
-    /// Way in the tube, m, or time since firing, s.
+    /// Distance in the tube, m, or time since firing, s.
     pub at: f64,
     /// Force, N.
     pub force_n: f64,
 }
 
-/// Reads the file of the force in `[launch.tube]`; none where it has none or the file cannot be read.
+/// Reads the file of the force in `[launch.tube]`. `None` where the scenario names none or the file cannot be read.
 pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<PushRow>> {
-    let named = [("force_over_stroke", "stroke"), ("force_over_time", "time")];
+    let tables = [("force_over_stroke", "stroke"), ("force_over_time", "time")];
     let mut read = |(key, column): (&str, &str)| {
         let path = format!("launch.tube.{key}.file");
         let mut table = CsvTable::read(written, &path, &[column, "force"], &[], found)?;
         if table.is_empty() {
-            found.push(table.whole("no points"));
+            found.push(table.whole("the file has no points"));
         }
         let mut last = None;
         Some(table.rows(found, |cells| {
             let (at, force) = (cells.number(column), cells.number("force"));
             let row = PushRow { at: at?, force_n: force? };
             if row.at < 0.0 || last.is_some_and(|last| row.at <= last) {
-                cells.fault_in(column, format!("{column}: expected more than in the line before, from 0 on"), None);
+                cells.fault_in(
+                    column,
+                    format!("{column}: expected a value of at least 0, larger than in the line before"),
+                    None,
+                );
             }
             if row.force_n < 0.0 {
-                cells.fault_in("force", "force: a launcher pushes, and does not pull".into(), None);
+                cells.fault_in("force", "force: expected a value of at least 0: a launcher does not pull".into(), None);
             }
             last = Some(row.at);
             Some(row)
         }))
     };
-    named.into_iter().find_map(&mut read)
+    tables.into_iter().find_map(&mut read)
 }

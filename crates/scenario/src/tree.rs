@@ -1,4 +1,4 @@
-//! A scenario as a tree whose keys and values know where they were written.
+//! A scenario as a tree of TOML values, each with its place in the text.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use toml::value::Datetime;
 
 use crate::path::{Path, Step};
 
-/// After so many lines that are no TOML the rest is only counted: it may be another kind of file.
+/// Number of lines that are reported as not TOML. More are only counted: the file may be of another kind.
 const MOST_FAULTS: usize = 20;
 
 /// Where a key or value was written.
@@ -15,16 +15,16 @@ const MOST_FAULTS: usize = 20;
 pub enum Origin {
     /// In the scenario's file, at these bytes.
     File(Range<usize>),
-    /// In the override with this place in the list, from 0.
+    /// In the override with this index in the list.
     Override(usize),
 }
 
 /// A value and where it was written.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// Where.
+    /// Where it was written.
     pub origin: Origin,
-    /// What.
+    /// The value.
     pub value: Value,
 }
 
@@ -80,7 +80,7 @@ impl Table {
 }
 
 impl Value {
-    /// What it is, for a message: `the string "2.5 m"`, `a table`.
+    /// The value in words, for a message: `the string "2.5 m"`, `a table`.
     pub fn describe(&self) -> String {
         match self {
             Self::String(text) => format!("the string {text:?}"),
@@ -121,7 +121,7 @@ impl Value {
             DeValue::Integer(digits) => match i64::from_str_radix(digits.as_str(), digits.radix()) {
                 Ok(number) => Self::Integer(number),
                 Err(_) => {
-                    faults.push(TreeFault { origin: at.clone(), message: "a whole number must fit 64 bits".into() });
+                    faults.push(TreeFault { origin: at.clone(), message: "a whole number must fit in 64 bits".into() });
                     Self::Integer(0)
                 }
             },
@@ -168,10 +168,10 @@ fn table_from_toml(table: &DeTable<'_>, origin: &dyn Fn(Range<usize>) -> Origin,
     Table(entries.collect())
 }
 
-/// What keeps a text from being a tree.
+/// A fault of a text that is not TOML.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TreeFault {
-    /// Where.
+    /// Its place.
     pub origin: Origin,
     /// What is wrong.
     pub message: String,
@@ -188,20 +188,20 @@ impl Tree {
     /// Reads TOML.
     ///
     /// # Errors
-    /// Every line that is no TOML, with the first fault of each.
+    /// The first fault of every line that is not TOML.
     pub fn parse(text: &str) -> Result<Self, Vec<TreeFault>> {
         let (table, errors) = DeTable::parse_recoverable(text);
         let mut faults: Vec<TreeFault> = Vec::new();
         let (mut line, mut counted_to, mut last_line, mut overflow) = (0, 0, None, 0);
         for error in errors {
             let span = error.span().unwrap_or(text.len()..text.len());
-            // errors come in the order of the text, but for a few
+            // errors come in the order of the text, with few exceptions
             if span.start < counted_to {
                 (line, counted_to) = (0, 0);
             }
             line += text.as_bytes()[counted_to..span.start.min(text.len())].iter().filter(|&&b| b == b'\n').count();
             counted_to = span.start.min(text.len());
-            // what follows on the line is the same slip seen again
+            // further errors on a line follow from its first one
             if last_line.replace(line) == Some(line) {
                 continue;
             }
@@ -213,7 +213,7 @@ impl Tree {
         }
         if overflow > 0 {
             let origin = Origin::File(text.len()..text.len());
-            faults.push(TreeFault { origin, message: format!("and {overflow} more lines that are no TOML") });
+            faults.push(TreeFault { origin, message: format!("and {overflow} more lines that are not TOML") });
         }
         let root = Value::Table(table_from_toml(table.get_ref(), &Origin::File, &mut faults));
         if faults.is_empty() {
@@ -228,7 +228,7 @@ impl Tree {
         path.0.iter().try_fold(&self.root, |node, step| child(node, step).map(|(_, child)| child))
     }
 
-    /// `path` with its whole numbers as indices where the tree has arrays.
+    /// `path`, with whole numbers turned into indices where the tree has arrays.
     pub fn resolve(&self, path: &Path) -> Path {
         let mut node = Some(&self.root);
         let steps = path.0.iter().map(|step| {
@@ -242,7 +242,7 @@ impl Tree {
         Path(steps.collect())
     }
 
-    /// Where `path` was written, or the nearest of its parents that was: a value, else the key of a table.
+    /// The place of the value at `path`, or of its nearest parent in the text. For a table it is the place of its key.
     pub fn origin(&self, path: &Path) -> Origin {
         let mut node = &self.root;
         let mut origin = &node.origin;
@@ -257,7 +257,7 @@ impl Tree {
         origin.clone()
     }
 
-    /// Where the key at the end of `path` was written, or the nearest of its parents.
+    /// The place of the key at the end of `path`, or of its nearest parent in the text.
     pub fn key_origin(&self, path: &Path) -> Origin {
         let parent = self.get(&path.parent());
         match (parent.and_then(|parent| parent.value.as_table()), path.0.last()) {
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_and_values_know_their_bytes() {
+    fn keys_and_values_have_their_place_in_the_text() {
         let text = "[web.space]\nside = \"2.5 m\"\n[[tractors]]\ncorner = 3\n";
         let tree = Tree::parse(text).unwrap();
         assert_eq!(text_at(text, &tree.origin(&Path::parse("web.space.side"))), "\"2.5 m\"");

@@ -1,4 +1,4 @@
-//! `[environment.wind]`: how the air moves, by height and in the course of time.
+//! `[environment.wind]`: how the air moves, depending on height and time.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,8 @@ use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
 use crate::quantity::{Angle, Length, Number, Speed, Time};
 use crate::written::Written;
 
-/// `[environment.wind]`: a mean `speed`, uniform or by a profile, with a gust and turbulence; or a measured `series`.
+/// `[environment.wind]`: a mean `speed`, uniform or with a profile, with optional gust and turbulence; or a measured
+/// `series`. Give either `speed` or `series`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -19,26 +20,28 @@ use crate::written::Written;
     "anyOf" = [{"required": ["series"]}, {"required": ["speed"]}]
 ))]
 pub struct Wind {
-    /// Mean speed, m/s; of a profile, at its reference height.
+    /// Mean speed, m/s. With a profile it is the speed at the reference height. Give this or `series`.
     pub speed: Option<Speed<NonNegative>>,
-    /// Where it blows to, anticlockwise from x. Left out: along x.
+    /// Direction that the wind blows to, anticlockwise from x, rad. Default: 0 deg, along x.
     pub azimuth: Option<Angle>,
-    /// Height of the muzzle above the ground, m, which a profile begins at. Left out: as [environment.ground] has it, or 0.
+    /// Height of the muzzle above the ground, m, for the profile. Default: its height above `[environment.ground]`,
+    /// else 0 m.
     pub muzzle_height: Option<Length<BoundaryLayer>>,
-    /// The mean grows as a power of the height. Left out, and no `logarithmic` either: the mean is the same at any height.
+    /// A mean speed that grows as a power of the height. It excludes `logarithmic`. Default: none; without a profile
+    /// the mean speed is the same at any height.
     pub power: Option<PowerProfile>,
-    /// The mean grows as the logarithm of the height.
+    /// A mean speed that grows as the logarithm of the height. It excludes `power`. Default: none.
     pub logarithmic: Option<LogarithmicProfile>,
-    /// A gust.
+    /// A gust on top of the mean wind. Default: none.
     pub gust: Option<Gust>,
-    /// Turbulence.
+    /// Turbulence on top of the mean wind. Default: none.
     pub turbulence: Option<Turbulence>,
-    /// A measured wind, instead of all else.
+    /// A measured wind. It replaces all other keys of the wind. Default: none.
     pub series: Option<WindSeries>,
 }
 
 impl Wind {
-    /// Writes the direction of what is not measured out.
+    /// Fills in the default direction of a wind that is not measured.
     pub(crate) fn complete(&mut self) {
         if self.series.is_none() {
             self.azimuth.get_or_insert(Angle::constant(0.0));
@@ -52,9 +55,11 @@ const REFERENCE_HEIGHT: Length<Positive> = Length::constant(10.0);
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct PowerProfile {
-    /// The exponent: a seventh over open land (Hellmann 1919), 0.1 over water, 0.25 to 0.4 over woods and towns.
+    /// The exponent: 1/7 over open land (Hellmann 1919), 0.1 over water, 0.25 to 0.4 over woods and towns. Default:
+    /// 1/7.
     pub exponent: Number<Fraction>,
-    /// Height above the ground at which the wind has its speed, m: weather services measure at 10 m.
+    /// Height above the ground at which the wind has its mean speed, m. Weather services measure at 10 m. Default: 10
+    /// m.
     pub reference_height: Length<Positive>,
 }
 
@@ -68,10 +73,11 @@ impl Default for PowerProfile {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct LogarithmicProfile {
-    /// Roughness length of the ground, m: 0.2 mm of open water, 3 cm of grass, 0.1 to 0.5 m of fields with hedges, 1 m of
-    /// woods and towns (Davenport's classes; Wieringa 1992).
+    /// Roughness length of the ground, m: 0.2 mm for open water, 3 cm for grass, 0.1 to 0.5 m for fields with hedges,
+    /// 1 m for woods and towns (Davenport's classes; Wieringa 1992). Default: 3 cm.
     pub roughness: Length<Positive>,
-    /// Height above the ground at which the wind has its speed, m: weather services measure at 10 m.
+    /// Height above the ground at which the wind has its mean speed, m. Weather services measure at 10 m. Default: 10
+    /// m.
     pub reference_height: Length<Positive>,
 }
 
@@ -81,17 +87,17 @@ impl Default for LogarithmicProfile {
     }
 }
 
-/// `[environment.wind.gust]`: it rises and falls as (1 - cos)/2, all over the net at once.
+/// `[environment.wind.gust]`: a gust that rises and falls as (1 - cos) / 2, everywhere at the same time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gust {
-    /// Largest speed that it adds, m/s.
+    /// Largest speed that the gust adds, m/s.
     pub speed: Speed,
-    /// When it begins, s.
+    /// Time at which the gust begins, s.
     pub at: Time<NonNegative>,
-    /// How long it lasts, s.
+    /// Duration of the gust, s.
     pub duration: Time<Positive>,
-    /// Where it blows to, anticlockwise from x. Left out: where the wind does.
+    /// Direction that the gust blows to, anticlockwise from x, rad. Default: the direction of the wind.
     pub azimuth: Option<Angle>,
 }
 
@@ -99,21 +105,21 @@ pub struct Gust {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Turbulence {
-    /// Von Karman's spectrum, which falls as the power -5/3 of the frequency.
+    /// Von Karman's spectrum. It falls as the frequency to the power -5/3.
     VonKarman(Eddies),
-    /// Dryden's spectrum, which falls as its power -2.
+    /// Dryden's spectrum. It falls as the frequency to the power -2.
     Dryden(Eddies),
 }
 
 impl Turbulence {
-    /// How strong and how large its eddies are.
+    /// Strength and size of the eddies.
     pub fn eddies(&self) -> &Eddies {
         match self {
             Self::VonKarman(eddies) | Self::Dryden(eddies) => eddies,
         }
     }
 
-    /// The table that it is written in.
+    /// The path of its table in the scenario.
     pub fn table(&self) -> &'static str {
         match self {
             Self::VonKarman(_) => "environment.wind.turbulence.von_karman",
@@ -122,7 +128,8 @@ impl Turbulence {
     }
 }
 
-/// `[environment.wind.turbulence.SPECTRUM]`: isotropic; its eddies pass at the wind's `speed`.
+/// `[environment.wind.turbulence.SPECTRUM]`: isotropic turbulence whose eddies travel with the mean speed of the
+/// wind. Give either `intensity` or `deviation`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -130,23 +137,25 @@ impl Turbulence {
     "anyOf" = [{"required": ["deviation"]}, {"required": ["intensity"]}]
 ))]
 pub struct Eddies {
-    /// Standard deviation of each component over the wind's speed; 0.1 to 0.2 near open ground.
+    /// Standard deviation of each velocity component over the mean speed. It is 0.1 to 0.2 near open ground. Give
+    /// this or `deviation`.
     pub intensity: Option<Number<NonNegative>>,
-    /// Standard deviation of each component, m/s.
+    /// Standard deviation of each velocity component, m/s. Give this or `intensity`.
     pub deviation: Option<Speed<NonNegative>>,
-    /// Length scale along the wind, m: the size of the eddies, which grows with the height above the ground.
+    /// Length scale of the turbulence along the wind, m. It grows with the height above the ground.
     pub length_scale: Length<Positive>,
-    /// Which of all the winds that could be: the same seed gives the same wind.
+    /// Seed of the random numbers. The same seed gives the same wind. Default: 0.
     #[serde(default)]
     pub seed: u32,
 }
 
-/// `[environment.wind.series]`
+/// `[environment.wind.series]`: a measured wind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WindSeries {
-    /// CSV file of the wind, relative to the scenario: columns t, in s since the start, and vx, vy, vz, in m/s in the world
-    /// frame. Straight from row to row, constant before the first and after the last.
+    /// CSV file of the wind, with columns t, the time since the start in s, and vx, vy, vz, the velocity in m/s in
+    /// the world frame. The velocity is linear from row to row, constant before the first row and after the last. The
+    /// path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
 }
@@ -160,14 +169,14 @@ pub struct WindRow {
     pub velocity_m_s: [f64; 3],
 }
 
-/// Nobody measures a wind for longer, s.
+/// The largest time in a wind series, s. Larger ones are mistakes.
 const LONGEST_WIND: f64 = 1e9;
 
-/// Reads the file of `[environment.wind.series]`; none where there is none or the file cannot be read.
+/// Reads the file of `[environment.wind.series]`. `None` where the scenario names none or the file cannot be read.
 pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<WindRow>> {
     let mut table = CsvTable::read(written, "environment.wind.series.file", &["t", "vx", "vy", "vz"], &[], found)?;
     if table.is_empty() {
-        found.push(table.whole("no wind"));
+        found.push(table.whole("the file has no rows"));
     }
     let mut before = None;
     Some(table.rows(found, |cells| {

@@ -1,4 +1,4 @@
-//! The CSV files of a graph and of a stowing: what they hold, and every bad row by its line.
+//! The CSV files of `[web.graph]` and `[stow.file]`: their values, and faults reported by line.
 
 use std::num::NonZeroU32;
 
@@ -34,7 +34,7 @@ fn read(scenario: &str, nodes: &str, ropes: &str) -> Result<Document, Diagnostic
     Document::read(&folder.path().join("net.toml"), &[])
 }
 
-/// What is wrong, as `file:line: message`.
+/// The faults, as `file:line: message`.
 fn wrong(scenario: &str, nodes: &str, ropes: &str) -> Vec<String> {
     let Err(Diagnostics(found)) = read(scenario, nodes, ropes) else { panic!("nothing is wrong") };
     found
@@ -63,14 +63,14 @@ fn rows_are_read_with_their_defaults() {
 }
 
 #[test]
-fn windows_line_ends_blank_lines_and_a_byte_order_mark_are_no_matter() {
+fn windows_line_ends_blank_lines_and_a_byte_order_mark_are_accepted() {
     let nodes = format!("\u{feff}{}", NODES.replace('\n', "\r\n").replacen("\r\n", "\r\n\r\n", 1));
     let graph = read(SCENARIO, &nodes, ROPES).unwrap().files.graph.unwrap();
     assert_eq!((graph.nodes[0].id.as_str(), graph.nodes[0].line), ("n1", 3));
 }
 
 #[test]
-fn every_bad_row_is_reported_by_line_with_what_was_expected() {
+fn every_faulty_row_is_reported_by_line_with_what_was_expected() {
     let nodes = "id,x,y,z,mass,fixed\nn1,0,0,0,,\n\nn2,1,zero,0,-1,yes\nn1,0,1,0,,\nn3,NaN,0,0,,\nn4,0,0,0\n";
     let ropes = "a,b,rope,segments\nn1,n2,thik,0\nn2,n22,,\nn3,n3,,1.5\n,n1,,\n";
     assert_eq!(
@@ -79,7 +79,7 @@ fn every_bad_row_is_reported_by_line_with_what_was_expected() {
             "nodes.csv:4: y: expected a number, found \"zero\"",
             "nodes.csv:4: mass: expected a number of at least 0, found \"-1\"",
             "nodes.csv:4: fixed: expected 0 or 1, found \"yes\"",
-            "nodes.csv:5: node \"n1\" stands in line 2 already",
+            "nodes.csv:5: node \"n1\" is already in line 2",
             "nodes.csv:6: x: expected a number, found \"NaN\"",
             "nodes.csv:7: expected 6 values, found 4",
             "ropes.csv:2: unknown rope \"thik\" (did you mean \"thick\"?)",
@@ -93,15 +93,17 @@ fn every_bad_row_is_reported_by_line_with_what_was_expected() {
 }
 
 #[test]
-fn a_link_class_has_a_name_of_its_own() {
+fn a_reserved_name_is_refused_as_a_link_class() {
     let kept = |line: usize, name: &str| {
-        format!("ropes.csv:{line}: the link class {name:?} is kept for what is no rope (choose another name)")
+        format!(
+            "ropes.csv:{line}: the link class {name:?} is reserved for parts that are not ropes (choose another name)"
+        )
     };
     let ropes = "a,b,class\nn1,n2,Tie\nn2,n3,stitch\nn3,n1,canopy\nn1,n2,tension\nn2,n3,a/b\n";
     let found = wrong(SCENARIO, NODES, ropes);
     assert_eq!(found[..3], [kept(2, "Tie"), kept(3, "stitch"), kept(4, "canopy")]);
     assert_eq!(found.len(), 5, "{found:?}");
-    assert!(found[3].starts_with("ropes.csv:5: the link class \"tension\" is kept"));
+    assert!(found[3].starts_with("ropes.csv:5: the link class \"tension\" is reserved"));
     assert!(found[4].starts_with("ropes.csv:6: the link class \"a/b\" has other characters"), "{}", found[4]);
 }
 
@@ -118,8 +120,8 @@ fn the_header_is_checked() {
 }
 
 #[test]
-fn an_empty_web_and_missing_files_are_errors() {
-    // said once, not again at every name of a node
+fn an_empty_web_and_missing_files_are_faults() {
+    // reported once, and not again for every id of a node
     assert_eq!(wrong(SCENARIO, "id,x,y,z\n", ROPES), ["nodes.csv:1: no nodes"]);
     assert!(wrong(SCENARIO, NODES, "a,b\n").contains(&"ropes.csv:1: no ropes".to_string()));
     assert!(wrong(SCENARIO, "", "")[0].contains("missing column"));
@@ -146,7 +148,7 @@ fn faults_of_the_scenario_and_of_its_files_come_together() {
 }
 
 #[test]
-fn a_flood_of_faults_is_counted() {
+fn more_than_twenty_faults_are_counted() {
     let rows: String = (0..100).map(|row| format!("n{row},a,0,0\n")).collect();
     let found = wrong(SCENARIO, &format!("id,x,y,z\n{rows}"), ROPES);
     assert_eq!(found.iter().filter(|line| line.contains("expected a number")).count(), 20);
@@ -154,7 +156,7 @@ fn a_flood_of_faults_is_counted() {
 }
 
 #[test]
-fn a_stowing_is_read_from_its_file() {
+fn a_stowed_web_is_read_from_its_file() {
     let scenario = format!("{SCENARIO}\n[stow.file]\npath = \"stow.csv\"\n");
     let nodes = "id,x,y,z\nn1,0,0,0\nn2,0.1,0,0\nn3,0,0.1,-0.25\n";
     let stowed = read(&scenario, nodes, ROPES).unwrap().files.stowed.unwrap();
@@ -162,22 +164,22 @@ fn a_stowing_is_read_from_its_file() {
 }
 
 #[test]
-fn the_files_are_known_by_name() {
+fn a_scenario_lists_its_files() {
     let scenario = read(SCENARIO, NODES, ROPES).unwrap().scenario;
     let names: Vec<_> = scenario.files().iter().map(|path| path.display().to_string()).collect();
     assert_eq!(names, ["nodes.csv", "ropes.csv"]);
 }
 
-/// Each of a million commas was compared with all before it: hours.
+/// Each of a million columns was once compared with all columns before it, which took hours.
 #[test]
-fn a_header_of_strange_columns_is_counted() {
+fn more_than_twenty_unknown_columns_are_counted() {
     let header: String = (0..50).map(|column| format!(",c{column}")).collect();
     let found = wrong(SCENARIO, &format!("id,x,y,z{header}\n"), ROPES);
     assert_eq!(found.iter().filter(|line| line.contains("unknown column")).count(), 20);
     assert_eq!(found.last().unwrap(), "nodes.csv:1: and 30 more columns like these");
 }
 
-/// A row whose cells hold line ends is one row, and the next is known by its own line.
+/// A row with line ends in its cells is one row, and the next row is reported by its own line.
 #[test]
 fn lines_are_counted_through_quotes() {
     let nodes = "id,x,y,z\n\"n\n1\",0,0,0\n\nn2,zero,0,0\n";

@@ -1,4 +1,4 @@
-//! Every slip is reported with its place, what was expected, and the nearest known key; all of them at once.
+//! Every fault is reported with its place, what was expected and the most similar known key, and all are reported at once.
 
 mod common;
 
@@ -6,13 +6,13 @@ use common::{CONTRACT, parse};
 use netcast_scenario::Diagnostics;
 use proptest::prelude::*;
 
-/// The contract's scenario with one piece of text replaced.
+/// The scenario of `contract.toml` with one piece of text replaced.
 fn with(from: &str, to: &str) -> String {
     assert_eq!(CONTRACT.matches(from).count(), 1, "{from}");
     CONTRACT.replacen(from, to, 1)
 }
 
-/// What is wrong with `text`, as lines.
+/// The faults of `text`, one a line.
 fn wrong(text: &str, overrides: &[&str]) -> Vec<String> {
     match parse(text, overrides) {
         Ok(_) => Vec::new(),
@@ -20,45 +20,45 @@ fn wrong(text: &str, overrides: &[&str]) -> Vec<String> {
     }
 }
 
-/// The one thing wrong with the contract's scenario after a replacement.
-fn slip(from: &str, to: &str) -> String {
+/// The only fault of the scenario of `contract.toml` after a replacement.
+fn fault_after(from: &str, to: &str) -> String {
     let found = wrong(&with(from, to), &[]);
     assert_eq!(found.len(), 1, "{found:#?}");
     found[0].clone()
 }
 
 #[test]
-fn the_default_rope_is_the_only_one_of_its_name() {
+fn no_other_rope_can_have_the_name_of_the_default_rope() {
     let other = "[ropes.rope]\ndiameter = 0.01\ndensity = 1000\nelastic_modulus = \"1 GPa\"\n[traction_rope]";
-    let told = slip("[traction_rope]", other);
-    assert!(told.contains("ropes.rope: `rope` is what the default rope, [rope], is called"), "{told}");
+    let message = fault_after("[traction_rope]", other);
+    assert!(message.contains("ropes.rope: `rope` is the name of the default rope, [rope]"), "{message}");
 }
 
 #[test]
-fn a_wrong_number_of_sides_is_told_with_all_the_rest() {
+fn a_wrong_number_of_sides_is_reported_with_the_other_faults() {
     let net = "web.polygon = { sides = 25, side = 1, mesh = 0.2 }\nrope = { diameter = 0.01, material = \"no such\" }\n\
                solve.duration = 1\n";
     let found = wrong(net, &[]);
-    assert!(found.iter().any(|told| told.contains("web.polygon.sides: expected a whole number")), "{found:#?}");
-    assert!(found.iter().any(|told| told.contains("no such")), "{found:#?}");
+    assert!(found.iter().any(|message| message.contains("web.polygon.sides: expected a whole number")), "{found:#?}");
+    assert!(found.iter().any(|message| message.contains("no such")), "{found:#?}");
 }
 
 #[test]
-fn a_wrong_dimension_names_what_it_is() {
+fn a_wrong_dimension_is_named() {
     assert_eq!(
-        slip("side = \"2.5 m\"", "side = \"2.5 kg\""),
+        fault_after("side = \"2.5 m\"", "side = \"2.5 kg\""),
         "net.toml:4:8: web.space.side: expected a length greater than 0 such as \"2.5 m\", found \"2.5 kg\", which is a mass"
     );
     assert_eq!(
-        slip("axial_speed = \"50 m/s\"", "axial_speed = \"50 km\""),
+        fault_after("axial_speed = \"50 m/s\"", "axial_speed = \"50 km\""),
         "net.toml:29:15: launch.axial_speed: expected a speed such as \"50 m/s\", found \"50 km\", which is a length"
     );
-    assert!(slip("side = \"2.5 m\"", "side = \"2.5\"").ends_with("found \"2.5\", which has no unit"));
-    assert!(slip("elevation = \"90 deg\"", "elevation = \"90\"").contains("expected an angle"));
+    assert!(fault_after("side = \"2.5 m\"", "side = \"2.5\"").ends_with("found \"2.5\", which has no unit"));
+    assert!(fault_after("elevation = \"90 deg\"", "elevation = \"90\"").contains("expected an angle"));
 }
 
 #[test]
-fn a_value_out_of_range_says_the_range() {
+fn a_value_out_of_range_is_reported_with_the_range() {
     let expected = "net.toml:4:8: web.space.side: expected a length greater than 0 such as \"2.5 m\", found";
     for (to, found) in [
         ("side = \"-2.5 m\"", "\"-2.5 m\""),
@@ -70,52 +70,53 @@ fn a_value_out_of_range_says_the_range() {
         ("side = true", "true"),
         ("side = [1]", "an array"),
     ] {
-        assert_eq!(slip("side = \"2.5 m\"", to), format!("{expected} {found}"));
+        assert_eq!(fault_after("side = \"2.5 m\"", to), format!("{expected} {found}"));
     }
-    assert!(slip("side = \"2.5 m\"", "side = \"NaN m\"").ends_with("it does not start with a number"));
-    assert!(slip("elevation = \"90 deg\"", "elevation = \"91 deg\"").contains("at most 90 deg"));
-    assert!(slip("count = 1", "count = 0").contains("expected a whole number of at least 1"));
-    assert!(slip("count = 1", "count = -1").contains("expected a whole number of at least 1"));
-    assert!(slip("count = 1", "count = 1.5").contains("expected a whole number"));
-    assert!(slip("count = 1", "count = 99999999999").contains("found the number 99999999999"));
-    assert!(slip("count = 1", "count = 99999999999999999999").contains("64 bits"));
-    assert!(slip("radius = \"0.25 m\"", "depth = 1").contains("missing key `radius`"));
+    assert!(fault_after("side = \"2.5 m\"", "side = \"NaN m\"").ends_with("it does not start with a number"));
+    assert!(fault_after("elevation = \"90 deg\"", "elevation = \"91 deg\"").contains("at most 90 deg"));
+    assert!(fault_after("count = 1", "count = 0").contains("expected a whole number of at least 1"));
+    assert!(fault_after("count = 1", "count = -1").contains("expected a whole number of at least 1"));
+    assert!(fault_after("count = 1", "count = 1.5").contains("expected a whole number"));
+    assert!(fault_after("count = 1", "count = 99999999999").contains("found the number 99999999999"));
+    assert!(fault_after("count = 1", "count = 99999999999999999999").contains("64 bits"));
+    assert!(fault_after("radius = \"0.25 m\"", "depth = 1").contains("missing key `radius`"));
 }
 
 #[test]
-fn an_unknown_key_names_the_nearest() {
+fn an_unknown_key_is_reported_with_the_most_similar_key() {
     assert_eq!(
-        slip("segment_length", "segment_lenght"),
+        fault_after("segment_length", "segment_lenght"),
         "net.toml:41:1: solve.segment_lenght: unknown key `segment_lenght` (did you mean `segment_length`? known here: \
          duration, static, segment_length, step_fraction, energy_tolerance, web_energy_tolerance, on_energy_error)"
     );
     // a misspelt required key is reported once, not also as missing
-    assert!(slip("duration", "duraton").contains("did you mean `duration`?"));
+    assert!(fault_after("duration", "duraton").contains("did you mean `duration`?"));
     assert!(
-        slip("[launch]", "[lunch]").starts_with("net.toml:28:2: lunch: unknown key `lunch` (did you mean `launch`?")
+        fault_after("[launch]", "[lunch]")
+            .starts_with("net.toml:28:2: lunch: unknown key `lunch` (did you mean `launch`?")
     );
     // a key that belongs elsewhere
     let text = with("every = \"1 ms\"", "every = \"1 ms\"\nduration = 3");
     assert_eq!(
         wrong(&text, &[]),
         [
-            "net.toml:45:1: record.duration: unknown key `duration` (there is environment.wind.gust.duration, solve.duration; \
+            "net.toml:45:1: record.duration: unknown key `duration` (it exists at environment.wind.gust.duration, solve.duration; \
              known here: every, fields_every)"
         ]
     );
 }
 
 #[test]
-fn an_unknown_unit_names_the_nearest() {
-    assert!(slip("\"78 GPa\"", "\"78 gpa\"").ends_with("unknown unit \"gpa\", did you mean \"GPa\"?"));
-    assert!(slip("\"1850 kg/m^3\"", "\"1850 kg/m3\"").ends_with("unknown unit \"m3\", did you mean \"m^3\"?"));
-    assert!(slip("\"2.5 m\"", "\"2,5 m\"").ends_with("write the decimal point as \".\""));
+fn an_unknown_unit_is_reported_with_the_most_similar_unit() {
+    assert!(fault_after("\"78 GPa\"", "\"78 gpa\"").ends_with("unknown unit \"gpa\", did you mean \"GPa\"?"));
+    assert!(fault_after("\"1850 kg/m^3\"", "\"1850 kg/m3\"").ends_with("unknown unit \"m3\", did you mean \"m^3\"?"));
+    assert!(fault_after("\"2.5 m\"", "\"2,5 m\"").ends_with("write the decimal point as \".\""));
 }
 
 #[test]
-fn a_missing_key_is_shown_at_its_table() {
+fn a_missing_key_is_reported_at_its_table() {
     assert_eq!(
-        slip("density = \"1850 kg/m^3\"\n", ""),
+        fault_after("density = \"1850 kg/m^3\"\n", ""),
         "net.toml:6:2: rope.density: missing key `density` (`density` is a density greater than 0 such as \"1850 kg/m^3\")"
     );
     let found = wrong("title = \"nothing\"\n", &[]);
@@ -129,19 +130,19 @@ fn a_missing_key_is_shown_at_its_table() {
 }
 
 #[test]
-fn variants_are_chosen_by_a_table() {
+fn the_name_of_a_table_chooses_the_variant() {
     assert!(
-        slip("[web.space]", "[web.spce]")
+        fault_after("[web.space]", "[web.spce]")
             .starts_with("net.toml:3:6: web.spce: unknown key `spce` (did you mean `space`?")
     );
     assert!(
-        slip("[web.space]", "[web]\ntype = \"space\"\n[web.space]")
-            .contains("web.type: unknown key `type` (the name of a table chooses: write [web.space])")
+        fault_after("[web.space]", "[web]\ntype = \"space\"\n[web.space]")
+            .contains("web.type: unknown key `type` (the kind is the name of a table: write [web.space])")
     );
     let text = with("[web.space] ", "[web] #").replace("side = \"2.5 m\"\n", "");
     assert!(wrong(&text, &[])[0].starts_with("net.toml:3:2: web: expected one of [web.traditional],"));
     assert!(
-        slip(
+        fault_after(
             "[stow.bag]               # also: scale, zigzag, star, roll, layers, prescribed, file\nradius = \"0.25 m\"",
             "[stow]"
         )
@@ -154,7 +155,7 @@ fn variants_are_chosen_by_a_table() {
     let found = wrong(&two, &[]);
     assert_eq!(found.len(), 1);
     assert!(
-        found[0].starts_with("net.toml:27:7: stow.bag: expected only one of its kind, found `scale` and `bag`"),
+        found[0].starts_with("net.toml:27:7: stow.bag: expected only one of these tables, found `scale` and `bag`"),
         "{found:?}"
     );
     let text = with("title =", "web = \"space\"\ntitle =").replace("[web.space]", "[other]");
@@ -162,23 +163,23 @@ fn variants_are_chosen_by_a_table() {
 }
 
 #[test]
-fn what_comes_later_is_said_to_come_later() {
+fn a_key_of_a_later_version_is_reported_as_such() {
     for (from, to, path) in
         [("[record]", "[contact.target]\n[record]", "contact"), ("[record]", "[targets.sphere]\n[record]", "targets")]
     {
-        let message = slip(from, to);
+        let message = fault_after(from, to);
         assert!(message.ends_with(&format!("`{path}` is not available in this version yet")), "{message}");
     }
 }
 
 #[test]
-fn two_ways_to_say_one_thing_are_one_too_many() {
+fn two_keys_for_the_same_thing_are_refused() {
     assert_eq!(
-        slip("# damping_ratio = 0.05 ", "damping_ratio = 0.05 #"),
+        fault_after("# damping_ratio = 0.05 ", "damping_ratio = 0.05 #"),
         "net.toml:11:1: rope.damping_ratio: expected only one of `damping_time` and `damping_ratio`"
     );
     assert!(
-        slip("density = \"17700 kg/m^3\"", "density = \"17700 kg/m^3\"\nmass = 3")
+        fault_after("density = \"17700 kg/m^3\"", "density = \"17700 kg/m^3\"\nmass = 3")
             .contains("expected only one of `density` and `mass`")
     );
     let text = with("[web.space]", "[web.square]\nmesh = 0.5\nsegments_per_mesh = 2");
@@ -191,7 +192,7 @@ fn two_ways_to_say_one_thing_are_one_too_many() {
 }
 
 #[test]
-fn names_that_refer_to_nothing_are_found() {
+fn unknown_ropes_and_repeated_corners_are_reported() {
     let text = format!(
         "{CONTRACT}\n[ropes.thick]\ndiameter = 0.02\ndensity = 1850\nelastic_modulus = 78e9\n[assign]\ntraction = \"thik\"\n"
     );
@@ -199,12 +200,12 @@ fn names_that_refer_to_nothing_are_found() {
     let text = format!("{CONTRACT}\n[[tractors]]\ncorner = 2\n[[tractors]]\ncorner = 2\n");
     assert_eq!(
         wrong(&text, &[]),
-        ["net.toml:49:10: tractors[1].corner: corner 2 has an entry in [[tractors]] already"]
+        ["net.toml:49:10: tractors[1].corner: corner 2 already has an entry in [[tractors]]"]
     );
 }
 
 #[test]
-fn all_are_reported_at_once_in_the_order_of_the_file() {
+fn all_faults_are_reported_at_once_in_the_order_of_the_file() {
     let text = with("side = \"2.5 m\"", "side = \"2.5 kg\"")
         .replace("every = \"1 ms\"", "every = \"-1 ms\"")
         .replace("[launch]", "[launch]\nspeed = 3")
@@ -220,7 +221,7 @@ fn all_are_reported_at_once_in_the_order_of_the_file() {
 }
 
 #[test]
-fn a_wrong_override_shows_the_override() {
+fn a_fault_of_an_override_shows_the_override() {
     assert_eq!(
         wrong(CONTRACT, &["launch.axal_speed=60 m/s"]),
         [
@@ -240,7 +241,7 @@ fn a_wrong_override_shows_the_override() {
 }
 
 #[test]
-fn what_is_no_toml_is_shown_where_it_breaks() {
+fn text_that_is_not_toml_is_reported_at_its_place() {
     let found = wrong(&with("[web.space]", "[web.space"), &[]);
     assert!(found[0].starts_with("net.toml:3:"), "{found:#?}");
     let found = wrong(&with("count = 1 ", "count = 1\ncount = 2 "), &[]);
@@ -250,14 +251,14 @@ fn what_is_no_toml_is_shown_where_it_breaks() {
 }
 
 #[test]
-fn a_missing_scenario_is_named() {
+fn a_missing_scenario_is_reported_by_name() {
     let Err(Diagnostics(found)) = netcast_scenario::Document::read("no/such.toml".as_ref(), &[]) else { panic!() };
     assert!(found[0].message.starts_with("cannot read no/such.toml: "));
     assert_eq!(found[0].location(), None);
 }
 
 #[test]
-fn a_later_stage_can_point_at_what_was_written() {
+fn a_later_stage_can_report_a_fault_at_its_place() {
     let document = parse(CONTRACT, &["solve.duration=0.7"]).unwrap();
     let text = format!("{CONTRACT}\n[[tractors]]\ncorner = 2\n");
     let found = parse(&text, &[]).unwrap().diagnostic("tractors.0.corner", "");
@@ -299,17 +300,17 @@ proptest! {
     }
 }
 
-/// Another kind of file given as a scenario was refused line by line, in a time that grew with its square.
+/// A file of another kind was once reported line by line, in a time that grew with the square of its length.
 #[test]
-fn a_file_of_another_kind_is_refused_with_a_count() {
+fn faults_of_a_file_of_another_kind_are_counted() {
     let table: String = (0..5000).map(|row| format!("n{row},0,0,0\n")).collect();
     let found = wrong(&table, &[]);
     assert_eq!(found.len(), 21);
-    assert_eq!(found[20], "net.toml:5001:1: and 4980 more lines that are no TOML");
+    assert_eq!(found[20], "net.toml:5001:1: and 4980 more lines that are not TOML");
 
     let settings: String = (0..5000).map(|key| format!("key_{key} = {key}\n")).collect();
     let found = wrong(&settings, &[]);
     assert_eq!(found.iter().filter(|line| line.contains("unknown key")).count(), 100);
-    // the keys that a scenario must have are missing as well
+    // the three required keys are missing as well
     assert_eq!(found.last().unwrap(), "net.toml:5001:1: and 4903 more faults");
 }

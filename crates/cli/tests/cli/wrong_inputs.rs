@@ -228,7 +228,7 @@ fn bad_rows_are_told_with_their_lines_and_columns() {
 fn ropes_and_lists_of_a_graph_must_make_sense() {
     assert_says(
         &graph_with("nodes.csv", "n2,-1,1,0", "n1,-1,1,0"),
-        &["node \"n1\" stands in line 2 already", "--> nodes.csv:3:1"],
+        &["node \"n1\" is already in line 2", "--> nodes.csv:3:1"],
     );
     assert_says(&graph_with("nodes.csv", "n2,-1,1,0", "n2,1,1,0"), &["has no length", "at the same place", "line 2"]);
     let message = graph_with("net.toml", "outline = [\"n1\", \"n2\"", "outline = [\"n1\", \"n1\"");
@@ -259,9 +259,9 @@ fn a_stow_file_must_know_every_knot_and_no_other() {
 #[test]
 fn names_that_mean_something_else_in_the_results_are_refused() {
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,tension");
-    assert_says(&message, &["the link class \"tension\" is kept for the largest tension", "ropes.csv:6:11"]);
+    assert_says(&message, &["the link class \"tension\" is reserved for the largest tension", "ropes.csv:6:11"]);
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,Canopy");
-    assert_says(&message, &["the link class \"Canopy\" is kept for what is no rope", "ropes.csv:6:11"]);
+    assert_says(&message, &["the link class \"Canopy\" is reserved for parts that are not ropes", "ropes.csv:6:11"]);
     let message = graph_with("net.toml", "[rope]", "[points]\ntractor = \"n1\"\n\"a,b\" = \"n2\"\n\n[rope]");
     assert_says(&message, &["\"tractor\" is followed in every run already", "\"a,b\" has other characters"]);
 }
