@@ -1,4 +1,4 @@
-//! `[environment.air]`: the medium that a net flies through, and how it drags at it.
+//! `[environment.air]`: the medium that a net flies through, and its drag on the net.
 
 use std::fmt;
 
@@ -9,38 +9,41 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::interval::{NonNegative, OpenShare, Positive, Troposphere};
 use crate::quantity::{Density, Length, Number, Viscosity};
 
-/// Drag coefficient of a plate square to the wind, as that of a sheet in `netcast-dynamics`.
+/// Drag coefficient of a flat plate normal to the flow, the same as for a sheet in `netcast-dynamics`.
 const PLATE: f64 = 1.17;
 
-/// `[environment.air]`: the standard atmosphere, or a medium of one `density` and `viscosity`, water too. As it is: that
-/// atmosphere at sea level, and every drag with its default.
+/// `[environment.air]`: the medium. It is the standard atmosphere, or a medium of constant `density` and `viscosity`,
+/// such as water. An empty table is the standard atmosphere with the muzzle at sea level.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(extend("not" = {"required": ["altitude", "density"]}))]
 pub struct Air {
-    /// Height of the muzzle above the sea, m: density and viscosity are then those of the standard atmosphere (ISO 2533),
-    /// which thins as the net rises. Left out, where no density is given: 0.
+    /// Height of the muzzle above sea level, m. Density and viscosity are those of the standard atmosphere (ISO 2533)
+    /// and change as the net rises. Default: 0 m, unless `density` is given.
     pub altitude: Option<Length<Troposphere>>,
-    /// Density of a medium that is the same at any height, kg/m^3; water has 1000. Its viscosity is given with it.
+    /// Density of a medium that is the same at any height, kg/m^3. Water has 1000. It is given together with
+    /// `viscosity`. Default: that of the standard atmosphere.
     pub density: Option<Density<Positive>>,
-    /// Dynamic viscosity of that medium, Pa s; water of 20 deg C has 1 mPa s.
+    /// Dynamic viscosity of the medium, Pa s. Water of 20 deg C has 1 mPa s. It is given together with `density`.
+    /// Default: that of the standard atmosphere.
     pub viscosity: Option<Viscosity<Positive>>,
-    /// Drag coefficient of a rope across it. Left out: by its Reynolds number, as measured on round ropes (Choo & Casarella
-    /// 1971).
+    /// Drag coefficient of a rope in a flow normal to it. Default: it follows from the Reynolds number, as measured
+    /// on round ropes (Choo & Casarella 1971).
     pub normal_coefficient: Option<Number<NonNegative>>,
-    /// Drag coefficient of a rope along it, with reference to diameter times length.
+    /// Drag coefficient of a rope in a flow along it, referred to diameter times length. Default: 0.02.
     pub tangential_coefficient: Number<NonNegative>,
-    /// Drag coefficient of a canopy square to the wind; its porosity takes from it.
+    /// Drag coefficient of a canopy normal to the flow. The porosity of the canopy reduces it. Default: 1.17.
     pub sheet_coefficient: Number<NonNegative>,
-    /// Mass of the medium that a rope moves with it across its length, over the mass that it displaces: 1 for a round
-    /// rope (potential flow, Lamb 1932, art. 68). 0 leaves it out, which is right in air.
+    /// Added mass coefficient of ropes: mass of the medium that moves with a rope across its length, over the mass
+    /// that the rope displaces. It is 1 for a round rope (potential flow, Lamb 1932, art. 68). Added mass is
+    /// negligible in air. Default: 0.
     pub added_mass: Number<NonNegative>,
-    /// Whether ropes, canopies and bodies are buoyed up by what they displace. Left out: where a density is given.
+    /// Whether buoyancy acts on ropes, canopies and bodies. Default: true if `density` is given, else false.
     pub buoyancy: Option<bool>,
-    /// How close the web's ropes stand: their projected area over that of the web, 0 to 0.7, or "web", for that of the
-    /// web's own ropes within its outline as drawn. The ropes of a close net drag more than each alone, for the flow is
-    /// faster between them; where no `normal_coefficient` is given, theirs is then that of smooth twine (Kristiansen &
-    /// Faltinsen 2012). Left out: each rope drags as if alone.
+    /// Solidity of the net: projected area of the ropes over the area of the net, 0 to 0.7. "web" computes it from
+    /// the ropes of the web within its outline as drawn. Ropes of a dense net have more drag than single ropes,
+    /// because the flow is faster between them. Unless `normal_coefficient` is given, the drag coefficient is then
+    /// that of smooth twine (Kristiansen & Faltinsen 2012). Default: none; each rope has the drag of a single rope.
     pub solidity: Option<Solidity>,
 }
 
@@ -61,7 +64,7 @@ impl Default for Air {
 }
 
 impl Air {
-    /// Writes out what follows from the medium.
+    /// Fills in the defaults that depend on the medium.
     pub(crate) fn complete(&mut self) {
         if self.density.is_none() {
             self.altitude.get_or_insert(Length::constant(0.0));
@@ -70,16 +73,16 @@ impl Air {
     }
 }
 
-/// How close the ropes of a web stand.
+/// The solidity of a net: projected area of its ropes over its area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Solidity {
-    /// As given.
+    /// A given value.
     Given(Number<OpenShare>),
-    /// As the web is drawn.
+    /// Computed from the web as drawn.
     Web,
 }
 
-/// What stands for the solidity of the web as drawn.
+/// The word in a scenario for [`Solidity::Web`].
 const WEB: &str = "web";
 
 impl Serialize for Solidity {

@@ -1,6 +1,6 @@
 //! `[payload.SHAPE]`, `[sensor.SHAPE]`, `[tractor.SHAPE]`: the solid bodies that the web carries.
 //!
-//! A body's own axes are x, y, z; its height lies along z, which in a tractor points the way it flies.
+//! A body has axes x, y, z of its own, and its height lies along z. The z axis of a tractor points in the direction of flight.
 
 use std::f64::consts::PI;
 
@@ -25,8 +25,8 @@ pub enum Body {
     Particle(Particle),
 }
 
-/// A solid cylinder. What is left out is that of a payload (60 mm x 66 mm, 2710 kg/m^3) or of a tractor (0.1 m x 0.2 m,
-/// 17700 kg/m^3). Its mass follows from its density, or is given instead.
+/// A solid cylinder. Its mass is given by either `density` or `mass`. The defaults are those of a payload (60 mm x 66
+/// mm, 2710 kg/m^3) or of a tractor (0.1 m x 0.2 m, 17700 kg/m^3).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["density", "mass"]}))]
@@ -35,39 +35,39 @@ pub struct Cylinder {
     pub diameter: Option<Length<Positive>>,
     /// Height, m. Default: 66 mm for a payload or sensor, 0.2 m for a tractor.
     pub height: Option<Length<Positive>>,
-    /// Density, kg/m^3. Default, where no mass is given: 2710 for a payload or sensor, 17700 for a tractor.
+    /// Density, kg/m^3. Default, unless `mass` is given: 2710 for a payload or sensor, 17700 for a tractor.
     pub density: Option<Density<Positive>>,
-    /// Mass, kg, instead of the density.
+    /// Mass, kg. It replaces the density.
     pub mass: Option<Mass<Positive>>,
 }
 
-/// A solid sphere. Its mass follows from its density, or is given instead.
+/// A solid sphere. Its mass is given by either `density` or `mass`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["density", "mass"]}))]
 pub struct Sphere {
     /// Diameter, m.
     pub diameter: Length<Positive>,
-    /// Density, kg/m^3. Default, where no mass is given: 2710 for a payload or sensor, 17700 for a tractor.
+    /// Density, kg/m^3. Default, unless `mass` is given: 2710 for a payload or sensor, 17700 for a tractor.
     pub density: Option<Density<Positive>>,
-    /// Mass, kg, instead of the density.
+    /// Mass, kg. It replaces the density.
     pub mass: Option<Mass<Positive>>,
 }
 
-/// A solid box. Its mass follows from its density, or is given instead.
+/// A solid box. Its mass is given by either `density` or `mass`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["density", "mass"]}))]
 pub struct Cuboid {
-    /// Size along its x axis, m; in a tractor, away from the launch axis.
+    /// Size along its x axis, m. The x axis of a tractor points away from the launch axis.
     pub width: Length<Positive>,
-    /// Size along its y axis, m; in a tractor, round the launch axis.
+    /// Size along its y axis, m. The y axis of a tractor points around the launch axis.
     pub depth: Length<Positive>,
-    /// Size along its z axis, m; in a tractor, the way it flies.
+    /// Size along its z axis, m. The z axis of a tractor points in the direction of flight.
     pub height: Length<Positive>,
-    /// Density, kg/m^3. Default, where no mass is given: 2710 for a payload or sensor, 17700 for a tractor.
+    /// Density, kg/m^3. Default, unless `mass` is given: 2710 for a payload or sensor, 17700 for a tractor.
     pub density: Option<Density<Positive>>,
-    /// Mass, kg, instead of the density.
+    /// Mass, kg. It replaces the density.
     pub mass: Option<Mass<Positive>>,
 }
 
@@ -77,11 +77,11 @@ pub struct Cuboid {
 pub struct Particle {
     /// Mass, kg.
     pub mass: Mass<Positive>,
-    /// Diameter of the sphere that it is to the air, m. Left out: the air passes it by.
+    /// Diameter of the sphere as which the air acts on it, m. Default: none; the air does not act on it.
     pub diameter: Option<Length<Positive>>,
 }
 
-/// The density of a body, and the size of a cylinder, for which nothing is given.
+/// Defaults for the density of a body and for the sizes of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyDefaults {
     diameter: Length<Positive>,
@@ -99,7 +99,7 @@ impl BodyDefaults {
         Self { diameter: Length::constant(0.1), height: Length::constant(0.2), density: Density::constant(17700.0) };
 }
 
-/// What a body fills.
+/// The shape of a body, with its sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A cylinder about its z axis: diameter and height, m.
@@ -119,24 +119,24 @@ pub enum Shape {
         /// Size along its axes x, y, z, m.
         size_m: [f64; 3],
     },
-    /// Nothing.
+    /// A mass without size.
     Particle {
-        /// Diameter of the sphere that it is to the air, m.
+        /// Diameter of the sphere as which the air acts on it, m.
         diameter_m: Option<f64>,
     },
 }
 
-/// A body with everything that was left out filled in, SI.
+/// A body with every default filled in, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
-    /// What it fills.
+    /// Its shape and sizes.
     pub shape: Shape,
     /// Mass, kg.
     pub mass_kg: f64,
 }
 
 impl Shape {
-    /// How far it reaches from its axis, m; 0 for a particle.
+    /// Largest distance of its surface from its z axis, m; 0 for a particle.
     pub fn radius_m(&self) -> f64 {
         match *self {
             Self::Cylinder { diameter_m, .. } | Self::Sphere { diameter_m } => 0.5 * diameter_m,
@@ -145,7 +145,7 @@ impl Shape {
         }
     }
 
-    /// How far it reaches from its centre at least, m; 0 for a particle.
+    /// Least distance of its surface from its centre, m; 0 for a particle without a diameter.
     pub fn least_reach_m(&self) -> f64 {
         match *self {
             Self::Cylinder { diameter_m, height_m } => 0.5 * diameter_m.min(height_m),
@@ -165,7 +165,7 @@ impl Shape {
         }
     }
 
-    /// Moments of inertia about its axes through its centre over its mass, m^2; none for a particle.
+    /// Moments of inertia about its axes x, y, z through its centre, over its mass, m^2. `None` for a particle.
     fn gyration_squared(&self) -> Option<DVec3> {
         match *self {
             Self::Cylinder { diameter_m: d, height_m: h } => {
@@ -181,7 +181,7 @@ impl Shape {
         }
     }
 
-    /// What the air finds of it: a particle is the sphere of its diameter, or nothing.
+    /// The shape that air acts on: for a particle, the sphere of its diameter, or `None` where it has none.
     pub fn in_air(&self) -> Option<Shape> {
         match *self {
             Self::Particle { diameter_m } => diameter_m.map(|diameter_m| Self::Sphere { diameter_m }),
@@ -189,7 +189,7 @@ impl Shape {
         }
     }
 
-    /// How far it reaches from its centre along its z axis, m.
+    /// Distance of its surface from its centre along the z axis, m.
     pub fn half_height_m(&self) -> f64 {
         match *self {
             Self::Cylinder { height_m, .. } => 0.5 * height_m,
@@ -201,14 +201,14 @@ impl Shape {
 }
 
 impl Solid {
-    /// Moments of inertia about its axes through its centre, kg m^2; none for a particle.
+    /// Moments of inertia about its axes x, y, z through its centre, kg m^2. `None` for a particle.
     pub fn inertia_kg_m2(&self) -> Option<DVec3> {
         self.shape.gyration_squared().map(|squared| self.mass_kg * squared)
     }
 }
 
 impl Body {
-    /// The body with `defaults` for what was left out.
+    /// The body as a solid, with `defaults` for what is left out.
     pub(crate) fn solid(&self, defaults: &BodyDefaults) -> Solid {
         let (shape, density, mass) = match self {
             Self::Particle(Particle { mass, diameter }) => {
@@ -231,7 +231,7 @@ impl Body {
         Solid { shape, mass_kg }
     }
 
-    /// Writes out what `defaults` say.
+    /// Fills in `defaults` for what is left out.
     pub(crate) fn complete(&mut self, defaults: &BodyDefaults) {
         let (density, mass) = match self {
             Self::Particle(_) => return,
@@ -249,7 +249,7 @@ impl Body {
 }
 
 impl Cylinder {
-    /// This cylinder, with what it leaves out taken from `base`.
+    /// This cylinder, with what is left out taken from `base`.
     pub(crate) fn over(&self, base: &Self) -> Self {
         let says_mass = self.density.is_some() || self.mass.is_some();
         Self {
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn the_papers_payload_and_tractor_weigh_what_they_should() {
+    fn the_default_payload_and_tractor_have_the_masses_of_the_paper() {
         let payload = mass_kg(Body::Cylinder(Cylinder::default()), &BodyDefaults::PAYLOAD);
         let tractor = mass_kg(Body::Cylinder(Cylinder::default()), &BodyDefaults::TRACTOR);
         assert!((payload - 0.506).abs() < 0.0005, "{payload}");
@@ -285,7 +285,7 @@ mod tests {
         assert_eq!(given.over(&base).density, None);
     }
 
-    /// The integral of the square of the distance from each axis over the volume, by brute force.
+    /// Volume, m^3, and second moments about the axes x, y, z, m^5, summed over small cells.
     fn summed(shape: Shape) -> (f64, DVec3) {
         const N: i32 = 60;
         let (half, inside): (DVec3, Box<dyn Fn(DVec3) -> bool>) = match shape {
@@ -294,7 +294,7 @@ mod tests {
             }
             Shape::Sphere { diameter_m: d } => (DVec3::splat(0.5 * d), Box::new(move |x| x.length() < 0.5 * d)),
             Shape::Box { size_m } => (0.5 * DVec3::from_array(size_m), Box::new(|_| true)),
-            Shape::Particle { .. } => panic!("it fills nothing"),
+            Shape::Particle { .. } => panic!("a particle has no volume"),
         };
         let (mut volume, mut moments) = (0.0, DVec3::ZERO);
         let cell = 8.0 * half.element_product() / f64::from(N * N * N);

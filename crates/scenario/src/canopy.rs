@@ -1,4 +1,4 @@
-//! `[canopy.KIND]`: the cloth at the knots of a space web.
+//! `[canopy.KIND]`: the canopies, plates or cloths at the knots of a space web.
 
 use std::num::NonZeroU32;
 
@@ -10,14 +10,14 @@ use crate::library::cloth_names;
 use crate::quantity::{Angle, Density, Length, Number, Pressure, Time};
 use crate::rope::{DAMPING_RATIO, Damping};
 
-/// The canopies of a space web: one table, named after the way they are modelled. Left out: `[canopy.links]` with its
+/// The canopies of a space web: one table, named after the model of the canopy. Default: `[canopy.links]` with its
 /// defaults.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Canopy {
-    /// A hub and six rim nodes with twelve members that pull and never push: free to fold, like cloth.
+    /// A hub and six rim nodes joined by twelve links that pull and never push. It folds freely, like cloth.
     Links(CanopyLinks),
-    /// A rigid plate, its payload a part of it.
+    /// A rigid plate. The payload is a part of it.
     Rigid(CanopyRigid),
     /// A sheet of triangles: a plate that bends, or cloth that wrinkles.
     Membrane(CanopyMembrane),
@@ -33,7 +33,7 @@ impl Canopy {
         }
     }
 
-    /// Mass of its cloth, kg, and volume, m^3.
+    /// Mass of the cloth, kg, and its volume, m^3.
     pub fn mass_and_volume(&self) -> (f64, f64) {
         let (thickness, density) = match self {
             Self::Links(CanopyLinks { thickness, density, .. })
@@ -44,7 +44,7 @@ impl Canopy {
         (density * volume, volume)
     }
 
-    /// Open share of its cloth's area.
+    /// Open share of the area of the cloth, from 0 to less than 1.
     pub fn porosity(&self) -> f64 {
         match self {
             Self::Links(CanopyLinks { porosity, .. })
@@ -53,8 +53,7 @@ impl Canopy {
         }
     }
 
-    /// Writes the default damping out; forgets the material, whose values stand in their own keys: no other library
-    /// can change the canopy.
+    /// Fills in the default damping. Removes the material, so that a later library cannot change the canopy.
     pub(crate) fn complete(&mut self) {
         match self {
             Self::Links(links) => links.material = None,
@@ -69,15 +68,15 @@ impl Canopy {
     }
 }
 
-/// Area over the square of the side of a regular hexagon: 3 sqrt(3)/2.
+/// Area of a regular hexagon over the square of its side: 3 sqrt(3) / 2.
 const HEXAGON_AREA: f64 = 2.598_076_211_353_316;
 
-// the paper's cloth
+// the cloth of the paper, docs/validation/paper.md
 const SIDE: Length<Positive> = Length::constant(0.14);
 const THICKNESS: Length<Positive> = Length::constant(0.01);
 const DENSITY: Density<Positive> = Density::constant(2000.0);
 const ELASTIC_MODULUS: Pressure<Positive> = Pressure::constant(90e9);
-/// No air passes.
+/// Porosity of a cloth through which no air passes.
 const CLOSED: Number<Fraction> = Number::constant(0.0);
 
 impl Default for Canopy {
@@ -86,27 +85,27 @@ impl Default for Canopy {
     }
 }
 
-/// `[canopy.links]`: a regular hexagon.
+/// `[canopy.links]`: a regular hexagon of twelve links that pull and never push.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CanopyLinks {
-    /// A cloth of the library: it has the density and elastic modulus that are not written beside it; the thickness is
-    /// then that of the cloth as a solid.
-    // none once a scenario is read: its values then stand in their own keys
+    /// Name of a cloth in the library of materials. It supplies the density and elastic modulus that are not given
+    /// here; `thickness` is then that of the cloth as solid fibre. Default: none.
+    // none after reading: its values are then in keys of their own
     #[serde(skip_serializing)]
     #[schemars(schema_with = "cloth_names")]
     pub material: Option<String>,
-    /// Side of the hexagon, m.
+    /// Side of the hexagon, m. Default: 0.14 m.
     pub side: Length<Positive>,
-    /// Thickness, m.
+    /// Thickness, m. Default: 10 mm.
     pub thickness: Length<Positive>,
-    /// Density, kg/m^3.
+    /// Density, kg/m^3. Default: 2000 kg/m^3, or that of `material`.
     pub density: Density<Positive>,
-    /// Elastic modulus, Pa.
+    /// Elastic modulus, Pa. Default: 90 GPa, or that of `material`.
     pub elastic_modulus: Pressure<Positive>,
-    /// Damping of the members, as a fraction of critical.
+    /// Damping of each link as a fraction of critical damping. Default: 0.05.
     pub damping_ratio: Number<NonNegative>,
-    /// Open share of the cloth's area, which air passes through freely.
+    /// Open share of the area of the cloth, from 0 to less than 1. Air passes freely through it. Default: 0.
     pub porosity: Number<Fraction>,
 }
 
@@ -124,17 +123,17 @@ impl Default for CanopyLinks {
     }
 }
 
-/// `[canopy.rigid]`: a regular hexagon that keeps its shape.
+/// `[canopy.rigid]`: a rigid plate, a regular hexagon.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct CanopyRigid {
-    /// Side of the hexagon, m.
+    /// Side of the hexagon, m. Default: 0.14 m.
     pub side: Length<Positive>,
-    /// Thickness, m.
+    /// Thickness, m. Default: 10 mm.
     pub thickness: Length<Positive>,
-    /// Density, kg/m^3.
+    /// Density, kg/m^3. Default: 2000 kg/m^3.
     pub density: Density<Positive>,
-    /// Open share of the plate's area, which air passes through freely.
+    /// Open share of the area of the plate, from 0 to less than 1. Air passes freely through it. Default: 0.
     pub porosity: Number<Fraction>,
 }
 
@@ -144,51 +143,52 @@ impl Default for CanopyRigid {
     }
 }
 
-/// `[canopy.membrane]`: a regular hexagon of 6 n^2 triangles. At most one of `damping_time` and `damping_ratio` is given;
-/// with neither, the ratio is 0.05.
+/// `[canopy.membrane]`: a regular hexagon of 6 n^2 triangles, with n the `fineness`. Give at most one of
+/// `damping_time` and `damping_ratio`; with neither, the damping ratio is 0.05.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(extend("not" = {"required": ["damping_time", "damping_ratio"]}))]
 pub struct CanopyMembrane {
-    /// A cloth of the library: it has the density and elastic modulus that are not written beside it; the thickness is
-    /// then that of the cloth as a solid.
-    // none once a scenario is read: its values then stand in their own keys
+    /// Name of a cloth in the library of materials. It supplies the density and elastic modulus that are not given
+    /// here; `thickness` is then that of the cloth as solid fibre. Default: none.
+    // none after reading: its values are then in keys of their own
     #[serde(skip_serializing)]
     #[schemars(schema_with = "cloth_names")]
     pub material: Option<String>,
-    /// Side of the hexagon, m.
+    /// Side of the hexagon, m. Default: 0.14 m.
     pub side: Length<Positive>,
-    /// Thickness, m.
+    /// Thickness, m. Default: 10 mm.
     pub thickness: Length<Positive>,
-    /// Density, kg/m^3.
+    /// Density, kg/m^3. Default: 2000 kg/m^3, or that of `material`.
     pub density: Density<Positive>,
-    /// Elastic modulus, Pa: along the fibres, where it is another across them.
+    /// Elastic modulus E along the fibres, Pa. Default: 90 GPa, or that of `material`.
     pub elastic_modulus: Pressure<Positive>,
-    /// Contraction across over stretch along the fibres.
+    /// Poisson's ratio nu: contraction across the fibres over stretch along them. Default: 0.3.
     pub poisson_ratio: Number<Fraction>,
-    /// Elastic modulus across the fibres, Pa. Left out: that along them.
+    /// Elastic modulus across the fibres, Pa. Default: `elastic_modulus`.
     pub elastic_modulus_across: Option<Pressure<Positive>>,
-    /// Shear modulus, Pa. Left out: E / (2 + 2 nu), E the geometric mean of both moduli.
+    /// Shear modulus, Pa. Default: E / (2 + 2 nu), with E the geometric mean of both elastic moduli.
     pub shear_modulus: Option<Pressure<Positive>>,
-    /// Direction of the fibres from the web's x axis, anticlockwise.
+    /// Direction of the fibres, anticlockwise from the x axis of the web, rad. Default: 0 deg.
     pub fibre_angle: Angle,
-    /// Triangles along a side, n.
+    /// Number n of triangles along a side. Default: 2.
     pub fineness: NonZeroU32,
-    /// Whether it gives way to compression, as cloth does; a plate resists it.
+    /// Whether the sheet gives way under compression, as cloth does. A plate resists compression. Default: false.
     pub wrinkles: bool,
-    /// Whether it resists bending.
+    /// Whether the sheet resists bending. Default: "plate".
     pub bending: SheetBending,
-    /// Nodes of the sheet as near as this to a corner, m, are bound rigidly together where ropes are tied; 0: the
-    /// corner alone.
+    /// Radius around each corner, m. Nodes of the sheet within it are joined rigidly where ropes are tied; with 0
+    /// only the corner itself is tied. Default: 0 m.
     pub tie_radius: Length<NonNegative>,
-    /// Internal friction of the material t, s: stress t dS/dt.
+    /// Damping by internal friction of the material, as a time t, s. The damping stress is t dS/dt, with S the
+    /// elastic stress. Default: none; `damping_ratio` applies.
     pub damping_time: Option<Time<NonNegative>>,
-    /// Numerical damping, as a fraction of critical: t = 2 ratio h sqrt(density / E), h a triangle's side. Default: 0.05
-    /// where `damping_time` is not given.
+    /// Damping as a fraction of critical damping: t = 2 ratio h sqrt(density / E), with h the side of a triangle.
+    /// Default: 0.05, unless `damping_time` is given.
     pub damping_ratio: Option<Number<NonNegative>>,
-    /// Largest stress that the cloth bears, Pa: results then state the margin.
+    /// Largest stress that the cloth bears, Pa. Results then state the margin. Default: none.
     pub strength: Option<Pressure<Positive>>,
-    /// Open share of the cloth's area, which air passes through freely.
+    /// Open share of the area of the cloth, from 0 to less than 1. Air passes freely through it. Default: 0.
     pub porosity: Number<Fraction>,
 }
 
@@ -217,7 +217,7 @@ impl Default for CanopyMembrane {
 }
 
 impl CanopyMembrane {
-    /// How the sheet is damped, with the default where the scenario is silent.
+    /// How the sheet is damped, with the default where neither key is given.
     pub fn damping(&self) -> Damping {
         Damping::of(self.damping_time, self.damping_ratio)
     }
@@ -227,8 +227,8 @@ impl CanopyMembrane {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SheetBending {
-    /// As a plate of its thickness: D = E t^3 / (12 (1 - nu^2)).
+    /// It bends as a plate of its thickness t: D = E t^3 / (12 (1 - nu^2)).
     Plate,
-    /// Not at all.
+    /// It has no bending stiffness.
     None,
 }

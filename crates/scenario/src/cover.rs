@@ -1,4 +1,4 @@
-//! `[[covers]]`: what holds the web, or a part of it, where it is stowed until it opens.
+//! `[[covers]]`: covers that hold the web, or a part of it, as it is stowed until they open.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 use crate::interval::Positive;
 use crate::quantity::Time;
 
-/// A cover. It opens at once, and what it has held starts from rest.
+/// A cover holds the web as it is stowed. It opens all at once, and the nodes under it start from rest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cover {
-    /// When it opens, s.
+    /// Time at which it opens, s.
     pub opens: Time<Positive>,
-    /// The ids of the nodes under it. Left out: the whole web, without its tractors and traction ropes.
+    /// Ids of the nodes under it. Default: the whole web, without tractors and traction ropes.
     pub nodes: Option<Vec<String>>,
 }

@@ -1,4 +1,4 @@
-//! `[drive.NAME]`: parts of the web that are moved along a given path, whatever pulls at them.
+//! `[drive.NAME]`: nodes that are moved along a given path, whatever forces act on them.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -15,9 +15,10 @@ use crate::selection::Selection;
 use crate::tree::Table;
 use crate::written::Written;
 
-/// `[drive.NAME]`. The path is given by `path` or by a `file`: displacements from where a node is at the start, straight
-/// and at constant speed from one point to the next. It begins at time 0, and the node rests after its last point. A
-/// tractor or a canopy that is a rigid body is moved at its centre of mass, and turned by what pulls at it.
+/// `[drive.NAME]`: nodes that are moved along a path, whatever forces act on them. The path is given by either `path`
+/// or `file`, as displacements from where a node is at the start. A node moves in a straight line at constant speed
+/// from one point to the next. The path begins at time 0; after its last point the node rests. A tractor or a canopy
+/// that is a rigid body is moved at its centre of mass and turns freely.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[schemars(extend(
@@ -25,13 +26,14 @@ use crate::written::Written;
     "anyOf" = [{"required": ["file"]}, {"required": ["path"]}]
 ))]
 pub struct Drive {
-    /// The points of the path in the order of time.
+    /// The points of the path in the order of time. Give this or `file`.
     pub path: Option<Vec<Waypoint>>,
-    /// CSV file of the path, relative to the scenario: columns t, x, y, z, in SI.
+    /// CSV file of the path, with columns t, x, y, z in SI units. The file path is relative to the scenario. Give
+    /// this or `path`.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
     /// The nodes that are moved.
-    // places in the file come from the schema's check, not from serde
+    // flattening loses no place in the file: places come from the check of the schema
     #[serde(flatten)]
     pub on: Selection,
 }
@@ -40,13 +42,14 @@ pub struct Drive {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Waypoint {
-    /// When it is reached, s.
+    /// Time at which the node reaches the point, s.
     pub time: Time<NonNegative>,
-    /// Displacement from the start, x, y and z, m: in the world frame, of `[stow.prescribed]` in the launch frame.
+    /// Displacement x, y, z from the start, m. It is in the world frame, or in the launch frame for
+    /// `[stow.prescribed]`.
     pub by: [Length; 3],
 }
 
-/// What is wrong with a point of a path at `time`, s, displaced by `by`, m, after one at the time `before`, s.
+/// The fault of a point of a path at `time`, s, with displacement `by`, m, after a point at the time `before`, s.
 pub fn misplaced(time: f64, by: [f64; 3], before: Option<f64>) -> Option<&'static str> {
     if before.is_some_and(|before| time <= before) {
         Some("expected a time after that of the point before")
@@ -57,16 +60,16 @@ pub fn misplaced(time: f64, by: [f64; 3], before: Option<f64>) -> Option<&'stati
     }
 }
 
-/// A row of the file of a `[drive.NAME]`.
+/// A row of the file of `[drive.NAME]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathRow {
-    /// When the point is reached, s.
+    /// Time at which the node reaches the point, s.
     pub time_s: f64,
     /// Displacement x, y, z from the start, m.
     pub displacement_m: [f64; 3],
 }
 
-/// Reads the files of `[drive.NAME]`, by name, or of another table of drives.
+/// Reads the files of the drives in the table `drives`, by the names of the drives.
 pub(crate) fn read_paths(
     written: &Written,
     drives: &str,

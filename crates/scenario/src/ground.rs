@@ -1,4 +1,4 @@
-//! `[environment.ground]`: what a web starts from and lands on.
+//! `[environment.ground]`: the ground that a net starts from and lands on.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,19 +6,21 @@ use serde::{Deserialize, Serialize};
 use crate::interval::{NonNegative, Positive, Rebound};
 use crate::quantity::{Length, Number, Time};
 
-/// `[environment.ground]`: a level plane. Knots and masses touch it as points, rigid bodies with their edges, masses of
-/// some shape with half their least size.
+/// `[environment.ground]`: a level plane. Knots and particles touch it as points, rigid bodies with their edges. A
+/// mass with a shape that is simulated as a point touches it at half its least size.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Ground {
-    /// Its height above the muzzle, m; below it, negative. Left out: the lowest point of all there is at the start.
+    /// Height of the plane above the muzzle, m; negative below the muzzle. Default: the lowest point of the net at
+    /// the start.
     pub height: Option<Length>,
-    /// Coefficient of friction.
+    /// Coefficient of friction. Default: 0.5.
     pub friction: Number<NonNegative>,
-    /// Speed of the rebound over that of the impact, 0.14 to 1: earth and turf have some 0.2, concrete and metal 0.5.
+    /// Coefficient of restitution: speed of the rebound over speed of the impact, 0.14 to 1. Earth and turf have
+    /// about 0.2, concrete and metal 0.5. Default: 0.2.
     pub restitution: Number<Rebound>,
-    /// How long what is dropped stays in contact, s: a matter of accuracy, not of the soil. What arrives at v sinks in by
-    /// v contact_time / pi.
+    /// Duration of an impact, s. It sets the accuracy and is no property of the soil: a body that arrives at speed v
+    /// sinks in by v contact_time / pi. Default: 1 ms.
     pub contact_time: Time<Positive>,
 }
 

@@ -1,14 +1,14 @@
-//! `[hold]`: nodes that stay put.
+//! `[hold]`: nodes that are fixed in place.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// `[hold]`
+/// `[hold]`: nodes that are fixed in place.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Hold {
-    /// Whether the web's corners stay put.
+    /// Whether the corners of the web are fixed. Default: false.
     pub corners: bool,
-    /// The ids of the nodes that stay put.
+    /// Ids of the nodes that are fixed. Default: none.
     pub nodes: Vec<String>,
 }

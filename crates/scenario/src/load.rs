@@ -1,4 +1,4 @@
-//! `[load.NAME]`: forces that act on the web all the time.
+//! `[load.NAME]`: constant forces on the web.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,8 +7,8 @@ use crate::interval::Positive;
 use crate::quantity::{Force, ForcePerLength, Time};
 use crate::selection::Selection;
 
-/// `[load.NAME]`: either `force` on every node that is named, or `force_per_length` on every rope of a `class`. Components
-/// are x, y and z in the world frame.
+/// `[load.NAME]`: either a `force` on each selected node, or a `force_per_length` on the ropes of a `class`.
+/// Components are x, y, z in the world frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[schemars(extend(
@@ -16,16 +16,17 @@ use crate::selection::Selection;
     "anyOf" = [{"required": ["force_per_length", "class"]}, {"required": ["force"]}]
 ))]
 pub struct Load {
-    /// Force on each of the nodes, N.
+    /// Force on each of the selected nodes, N.
     pub force: Option<[Force; 3]>,
-    /// Force per length of rope without tension, N/m.
+    /// Force per rest length of rope, N/m. It is given together with `class`.
     pub force_per_length: Option<[ForcePerLength; 3]>,
-    /// The link class on whose ropes `force_per_length` acts.
+    /// The link class whose ropes `force_per_length` acts on.
     pub class: Option<String>,
-    /// The nodes on which `force` acts.
-    // places in the file come from the schema's check, not from serde
+    /// The nodes that `force` acts on.
+    // flattening loses no place in the file: places come from the check of the schema
     #[serde(flatten)]
     pub on: Selection,
-    /// Time over which a run in time brings the load up from nothing, evenly, s. Left out: it is there from the start.
+    /// Time over which a run increases the load evenly from zero, s. Default: none; the full load acts from the
+    /// start.
     pub ramp: Option<Time<Positive>>,
 }

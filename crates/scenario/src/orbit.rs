@@ -1,4 +1,4 @@
-//! `[environment.orbit]`: a net that flies beside a circular orbit.
+//! `[environment.orbit]`: a net that moves relative to a circular orbit.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::interval::{NonNegative, Positive};
 use crate::quantity::{AngularSpeed, Length};
 
-/// `[environment.orbit]`: weightless but for what differs from place to place (Clohessy & Wiltshire 1960). The muzzle is
-/// on the orbit; z points away from the planet, x the way of the orbit. There is no gravity beside it, no air and no
-/// ground.
+/// `[environment.orbit]`: motion relative to a circular orbit, by the equations of Clohessy & Wiltshire (1960). The
+/// muzzle moves on the orbit; z points away from the planet, x in the direction of the orbit. An orbit excludes air,
+/// wind, ground and uniform gravity. Give either `altitude` or `mean_motion`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(extend(
@@ -16,8 +16,8 @@ use crate::quantity::{AngularSpeed, Length};
     "anyOf" = [{"required": ["mean_motion"]}, {"required": ["altitude"]}]
 ))]
 pub struct Orbit {
-    /// Height above the Earth's equator, m.
+    /// Height of the orbit above the Earth's equator, m. Give this or `mean_motion`.
     pub altitude: Option<Length<NonNegative>>,
-    /// Mean motion, rad/s, about any planet.
+    /// Mean motion of the orbit, rad/s, about any planet. Give this or `altitude`.
     pub mean_motion: Option<AngularSpeed<Positive>>,
 }

@@ -1,4 +1,4 @@
-//! `[record]`: what is kept of a run.
+//! `[record]`: how often results of a run are recorded.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 use crate::interval::Positive;
 use crate::quantity::Time;
 
-/// `[record]`
+/// `[record]`: how often results are recorded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Record {
-    /// Time between two rows of the history, s.
+    /// Time between two rows of the history, s. Default: 1 ms.
     pub every: Time<Positive>,
-    /// Time between two frames of the fields, s. Left out: as `every`.
+    /// Time between two frames of the fields, s. Default: `every`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fields_every: Option<Time<Positive>>,
 }

@@ -1,4 +1,4 @@
-//! `[rope]`, `[ropes.NAME]`: what the web is tied from.
+//! `[rope]`, `[ropes.NAME]`: the ropes that the web is made of.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,8 @@ use crate::library::rope_names;
 use crate::quantity::{BendingStiffness, Density, Force, Length, Number, Pressure, Time};
 use crate::rope_law::{RopeBreaking, RopeLaw};
 
-/// A rope. At most one of `damping_time` and `damping_ratio` is given; with neither, the ratio is 0.05. Density and
-/// elastic modulus are given, or the material.
+/// A rope. Give `material`, or both `density` and `elastic_modulus`. Give at most one of `damping_time` and
+/// `damping_ratio`; with neither, the damping ratio is 0.05.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -18,38 +18,41 @@ use crate::rope_law::{RopeBreaking, RopeLaw};
     "anyOf" = [{"required": ["material"]}, {"required": ["density", "elastic_modulus"]}]
 ))]
 pub struct Rope {
-    /// A rope of the library: it has the density, elastic modulus and strength that are not written beside it.
-    // none once a scenario is read: its values then stand in their own keys
+    /// Name of a rope in the library of materials. It supplies the density, elastic modulus and strength that are not
+    /// given here. Default: none.
+    // none after reading: its values are then in keys of their own
     #[serde(default, skip_serializing)]
     #[schemars(schema_with = "rope_names")]
     pub material: Option<String>,
     /// Nominal diameter, m.
     pub diameter: Length<Positive>,
-    /// Mass per length over the nominal section, kg/m^3.
+    /// Mass per length over the nominal section, kg/m^3. Default: that of `material`.
     pub density: Density<Positive>,
-    /// Elastic modulus E on the nominal section, Pa: that of the rope, which is less than that of its fibres.
+    /// Elastic modulus E of the rope on its nominal section, Pa. It is less than that of the fibres. Default: that of
+    /// `material`.
     pub elastic_modulus: Pressure<Positive>,
-    /// Internal friction of the material t, s: the damper of a segment is c = E A t / rest length.
+    /// Damping by internal friction of the material, as a time t, s. The damper of a segment is c = E A t / rest
+    /// length. Default: none; `damping_ratio` applies.
     pub damping_time: Option<Time<NonNegative>>,
-    /// Numerical damping, as a fraction of critical: c = 2 ratio sqrt(k m), with k and m of the segment, k by the elastic
-    /// modulus. Default: 0.05
-    /// where `damping_time` is not given.
+    /// Damping of each segment as a fraction of critical damping: c = 2 ratio sqrt(k m), with its mass m and its
+    /// stiffness k from the elastic modulus. Default: 0.05, unless `damping_time` is given.
     pub damping_ratio: Option<Number<NonNegative>>,
-    /// Bending stiffness EI, N m^2, between the segments of a rope; knots turn freely. Left out: none. A solid rod has E
-    /// pi d^4 / 64, a rope a small part of it.
+    /// Bending stiffness EI between the segments of a rope, N m^2. Knots turn freely. A solid rod has E pi d^4 / 64,
+    /// a rope a small part of that. Default: none.
     pub bending_stiffness: Option<BendingStiffness<Positive>>,
-    /// Tension of the rope as the web is drawn, N.
+    /// Tension of the rope in the web as drawn, N. Default: 0 N.
     #[serde(default = "default_pretension")]
     pub pretension: Force<NonNegative>,
-    /// How its tension follows from its stretch.
+    /// How the tension of the rope follows from its stretch. Default: linear.
     #[serde(default)]
     pub law: RopeLaw,
-    /// Breaking load, N: results then state the margin. The rope breaks only where `breaking` says so.
+    /// Breaking load, N. Results then state the margin. The rope breaks only where `breaking` is given. Default: that
+    /// of `material`, or none.
     pub strength: Option<Force<Positive>>,
-    /// The share of its strength that knots and splices take from the rope, 0 to 1: utilisation then goes by what is
-    /// left.
+    /// Share of the strength that is lost at knots and splices, from 0 to less than 1. Utilisation is computed from
+    /// the rest. Default: none.
     pub knot_reduction: Option<Number<Fraction>>,
-    /// At what it breaks.
+    /// The load or strain at which the rope breaks. Default: it never breaks.
     pub breaking: Option<RopeBreaking>,
 }
 
@@ -57,20 +60,20 @@ fn default_pretension() -> Force<NonNegative> {
     Force::constant(0.0)
 }
 
-/// The damping ratio of ropes and canopies for which none is given.
+/// The default damping ratio of ropes and canopies.
 pub(crate) const DAMPING_RATIO: Number<NonNegative> = Number::constant(0.05);
 
 /// How a rope is damped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damping {
-    /// Internal friction t, s: c = E A t / rest length.
+    /// Internal friction, as a time t, s: c = E A t / rest length.
     Time(f64),
-    /// Fraction of critical: c = 2 ratio sqrt(k m).
+    /// Fraction of critical damping: c = 2 ratio sqrt(k m).
     Ratio(f64),
 }
 
 impl Damping {
-    /// That of the one of both that is given; with neither, the default ratio.
+    /// The damping by `time` or `ratio`, whichever is given; with neither, the default ratio.
     pub(crate) fn of(time: Option<Time<NonNegative>>, ratio: Option<Number<NonNegative>>) -> Self {
         match (time, ratio) {
             (Some(time), _) => Self::Time(time.si()),
@@ -80,12 +83,13 @@ impl Damping {
 }
 
 impl Rope {
-    /// How the rope is damped, with the default where the scenario is silent.
+    /// How the rope is damped, with the default where neither key is given.
     pub fn damping(&self) -> Damping {
         Damping::of(self.damping_time, self.damping_ratio)
     }
 
-    /// Writes the default damping and breaking load out; forgets the material, so that no other library can change the rope.
+    /// Fills in the default damping and breaking load. Removes the material, so that a later library cannot change
+    /// the rope.
     pub(crate) fn complete(&mut self) {
         self.material = None;
         if self.damping_time.is_none() {

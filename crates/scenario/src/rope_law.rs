@@ -14,20 +14,21 @@ use crate::quantity::{Force, Number, Pressure, Time};
 use crate::tables::ropes;
 use crate::written::Written;
 
-/// The law of a rope: one table, named after it. Left out: `linear`. The rope's damping works beside each of them.
+/// The law of a rope: one table, named after the law. The damping of the rope acts beside any law. Default: linear.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RopeLaw {
-    /// Tension in proportion to stretch, by the elastic modulus; the rope only pulls.
+    /// Tension is proportional to strain, by the elastic modulus. A rope never pushes.
     Linear(LinearLaw),
-    /// A second modulus beyond a strain. Elastic: it unloads along the same way.
+    /// A second modulus applies beyond a given strain. The law is elastic: loading and unloading follow the same
+    /// curve.
     Bilinear(BilinearLaw),
-    /// Tension against strain from a CSV file, with a path of its own for unloading if there is such a column. The elastic
-    /// modulus then serves the damping alone.
+    /// Tension against strain from a CSV file, with a separate curve for unloading if the file has that column. The
+    /// elastic modulus is then used for the damping only.
     Table(TableLaw),
-    /// Stiffer at first, relaxing to the elastic modulus with time: the standard linear solid.
+    /// Standard linear solid: the rope is stiffer at first and relaxes to the elastic modulus with time.
     Viscoelastic(ViscoelasticLaw),
-    /// Pulls and pushes: a bar hinged at its ends.
+    /// A bar hinged at its ends: it pulls and pushes.
     Strut(StrutLaw),
 }
 
@@ -37,80 +38,81 @@ impl Default for RopeLaw {
     }
 }
 
-/// `[rope.law.linear]`
+/// `[rope.law.linear]`: tension proportional to strain. It has no keys.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinearLaw {}
 
-/// `[rope.law.strut]`
+/// `[rope.law.strut]`: a bar that pulls and pushes. It has no keys.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StrutLaw {}
 
-/// `[rope.law.bilinear]`
+/// `[rope.law.bilinear]`: a second modulus beyond a given strain.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BilinearLaw {
-    /// Strain at the bend.
+    /// Strain at which the modulus changes.
     pub strain: Number<NonNegative>,
-    /// Modulus beyond it, Pa; larger or smaller than the elastic modulus.
+    /// Modulus beyond that strain, Pa. It may be larger or smaller than the elastic modulus.
     pub second_modulus: Pressure<Positive>,
 }
 
-/// `[rope.law.table]`
+/// `[rope.law.table]`: tension against strain from a CSV file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TableLaw {
-    /// CSV file: columns strain and tension, N, from 0 up; optionally unloading, the tension in N on the way back from the
-    /// last row. Relative to the scenario.
+    /// CSV file with columns strain and tension, N, starting at 0 and ascending. The optional column unloading is the
+    /// tension, N, on the way back from the last row. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
 }
 
-/// `[rope.law.viscoelastic]`
+/// `[rope.law.viscoelastic]`: the standard linear solid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ViscoelasticLaw {
-    /// Modulus at once, Pa; larger than the elastic modulus, to which it relaxes.
+    /// Modulus at the first instant, Pa. It is larger than the elastic modulus, to which it relaxes.
     pub instantaneous_modulus: Pressure<Positive>,
-    /// Time in which what relaxes falls to 1/e at constant stretch, s.
+    /// Time in which the excess tension falls to 1/e at constant stretch, s.
     pub relaxation_time: Time<Positive>,
 }
 
-/// `[rope.breaking]`: the rope breaks, at a load, a strain or whichever comes first. Without this table it never does, and its
-/// strength serves to state the margin.
+/// `[rope.breaking]`: the rope breaks at a load or at a strain, whichever comes first. Without this table the rope
+/// never breaks, and its strength only serves to state the margin.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RopeBreaking {
-    /// Breaking load, N. Segments at a knot or a splice break at what `knot_reduction` leaves of it. Left out: `strength`.
+    /// Breaking load, N. Segments at a knot or a splice break at the share of it that `knot_reduction` leaves.
+    /// Default: `strength`.
     pub load: Option<Force<Positive>>,
-    /// Breaking strain. Left out: none.
+    /// Breaking strain. Default: none.
     pub strain: Option<Number<Positive>>,
 }
 
-/// The file of a `[rope.law.table]`.
+/// The rows of the file of a `[rope.law.table]`.
 #[derive(Clone, Debug)]
 pub struct LawFile {
     /// Strains.
     pub strain: Vec<f64>,
     /// Tensions, N.
     pub tension: Vec<f64>,
-    /// Tensions on the way back, N, where there is such a column.
+    /// Tensions on the way back, N. `None` where the file has no such column.
     pub unloading: Option<Vec<f64>>,
     table: CsvTable,
 }
 
 impl LawFile {
-    /// Something wrong with a row, from 1.
+    /// A diagnostic about a row, counted from 1.
     pub fn at_row(&self, row: usize, message: &str) -> Diagnostic {
         self.table.at_row(row, message)
     }
 }
 
-/// The files of `[rope.law.table]`, by the names that the scenario gives them.
+/// The files of `[rope.law.table]`, by their names in the scenario.
 pub type LawFiles = BTreeMap<PathBuf, LawFile>;
 
-/// Reads the files of `[rope.law.table]`, each once however many ropes have it; those that can be read.
+/// Reads the files of `[rope.law.table]`, each once. A file that cannot be read is reported and left out.
 pub(crate) fn read_law_files(written: &Written, found: &mut Vec<Diagnostic>) -> LawFiles {
     let mut read = LawFiles::new();
     let mut seen = BTreeSet::new();

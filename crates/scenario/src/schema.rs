@@ -1,5 +1,4 @@
-//! The JSON Schema of a scenario, derived from its types: what editors complete from, and what the check of a scenario
-//! walks.
+//! The JSON Schema of a scenario, derived from its types. Editors complete keys from it, and the check walks it.
 
 use std::sync::LazyLock;
 
@@ -11,8 +10,9 @@ use serde_json::{Map, Value};
 use crate::path::Path;
 use crate::scenario::Scenario;
 
-/// The JSON Schema of a scenario. Beside the standard keywords, `x-dimension` and `x-unit` tell a quantity's kind and
-/// SI unit, `x-word` a word that can stand for it; `minimum` and its like are in that unit.
+/// The JSON Schema of a scenario. Beside the standard keywords it has `x-dimension` and `x-unit`, the kind and the SI unit of
+/// a quantity, `x-word`, a word that is allowed in place of the quantity, and `x-file`, which marks the name of a file. Bounds
+/// such as `minimum` are in the SI unit.
 pub fn schema() -> &'static Value {
     static SCHEMA: LazyLock<Value> = LazyLock::new(generate);
     &SCHEMA
@@ -30,7 +30,7 @@ fn generate() -> Value {
     schema
 }
 
-/// TOML has no null: an optional key is left out. And a whole number says how large it may be.
+/// Removes null from the schema, as TOML has no null and an optional key is left out. States the largest whole number.
 fn fit_toml(schema: &mut Schema) {
     transform_subschemas(&mut fit_toml, schema);
     let Some(object) = schema.as_object_mut() else { return };
@@ -56,14 +56,14 @@ fn fit_toml(schema: &mut Schema) {
     }
 }
 
-/// The variants of an externally tagged enum: name and schema of each. None where `schema` is something else.
+/// The variants of an externally tagged enum, with name and schema. `None` where `schema` is of another kind.
 pub(crate) fn variants(schema: &Map<String, Value>) -> Option<Vec<(&str, &Map<String, Value>)>> {
     let branches = schema.get("oneOf")?.as_array()?;
     let properties = branches.iter().map(|branch| branch.get("properties")?.as_object()?.iter().next());
     properties.map(|first| first.and_then(|(name, content)| Some((name.as_str(), content.as_object()?)))).collect()
 }
 
-/// The strings that a key may take. None where `schema` is something else.
+/// The strings that a key can take. `None` where `schema` is of another kind.
 pub(crate) fn choices(schema: &Map<String, Value>) -> Option<Vec<&str>> {
     if let Some(listed) = schema.get("enum") {
         return listed.as_array()?.iter().map(Value::as_str).collect();
@@ -71,7 +71,7 @@ pub(crate) fn choices(schema: &Map<String, Value>) -> Option<Vec<&str>> {
     schema.get("oneOf")?.as_array()?.iter().map(|branch| branch.get("const")?.as_str()).collect()
 }
 
-/// The keys of the table at `path`, or the kinds of it where its name chooses one; none where there is no such table.
+/// The keys of the table at `path`, or the names of its variants. Empty where there is no such table.
 pub(crate) fn keys_at(path: &str) -> Vec<&'static str> {
     let below = |schema: &'static Map<String, Value>, key: &str| {
         let property = schema.get("properties").and_then(|known| known.get(key)?.as_object());
@@ -81,7 +81,7 @@ pub(crate) fn keys_at(path: &str) -> Vec<&'static str> {
     table.map_or(Vec::new(), keys)
 }
 
-/// The keys of the table that a type is written as.
+/// The keys of the table of the type `T`.
 pub(crate) fn keys_of<T: schemars::JsonSchema>() -> Vec<String> {
     let schema = schemars::SchemaGenerator::default().into_root_schema_for::<T>();
     schema.as_object().map_or(Vec::new(), |table| keys(table).into_iter().map(str::to_owned).collect())
@@ -94,7 +94,7 @@ fn keys(table: &Map<String, Value>) -> Vec<&str> {
     }
 }
 
-/// Where in a scenario a key has the name `key`, as paths.
+/// The paths of all keys of a scenario that have the name `key`.
 pub fn find_key(schema: &Value, key: &str) -> Vec<String> {
     let mut found = Vec::new();
     if let Some(root) = schema.as_object() {
@@ -119,9 +119,11 @@ fn find_below(schema: &Map<String, Value>, key: &str, path: &Path, found: &mut V
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dimension::Kind;
+    use crate::interval::Interval;
 
     #[test]
-    fn it_is_a_schema_with_descriptions_dimensions_and_defaults() {
+    fn the_schema_has_descriptions_dimensions_and_defaults() {
         let schema = schema();
         assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
         assert_eq!(schema["title"], "netcast scenario");
@@ -132,7 +134,7 @@ mod tests {
         assert_eq!(every["x-dimension"], "time");
         assert_eq!(every["exclusiveMinimum"], 0.0);
         assert!(every["description"].as_str().unwrap().contains("rows of the history"));
-        // optional keys are left out in TOML, never null
+        // TOML has no null
         assert!(!schema.to_string().contains("null\""), "{schema:#}");
         assert!(!schema.to_string().contains("$ref"), "{schema:#}");
     }
@@ -157,6 +159,58 @@ mod tests {
         assert_eq!(missing, Vec::<String>::new());
     }
 
+    /// The value after "Default: " in a description, which ends at a comma, a semicolon or the end of the sentence.
+    fn described_default(description: &str) -> &str {
+        let (_, stated) = description.split_once("Default: ").unwrap_or_default();
+        let stated = stated.split(". ").next().unwrap_or_default();
+        stated.split([',', ';']).next().unwrap_or_default().trim_end_matches('.')
+    }
+
+    /// Whether `described` and `default` are the same value, each read as a quantity of the key.
+    fn is_same(described: &str, default: &Value, key: &Map<String, Value>) -> bool {
+        let Some(kind) = key.get("x-dimension").and_then(Value::as_str).and_then(Kind::named) else {
+            let text = default.to_string();
+            return described == text || [("none", "[]"), ("empty", "\"\"")].contains(&(described, &text));
+        };
+        let default = match default {
+            Value::String(text) => kind.read_text(text, &Interval::ALL).ok(),
+            other => other.as_f64(),
+        };
+        match described.split_once('/').filter(|_| kind.unit.is_empty()) {
+            Some((over, under)) => default == Some(over.parse::<f64>().unwrap() / under.parse::<f64>().unwrap()),
+            None => default == kind.read_text(described, &Interval::ALL).ok(),
+        }
+    }
+
+    #[test]
+    fn every_description_states_the_default_of_its_key() {
+        fn walk(path: &Path, schema: &Map<String, Value>, wrong: &mut Vec<String>) {
+            let properties = schema.get("properties").and_then(Value::as_object);
+            for (name, content) in properties.into_iter().flatten() {
+                let (here, content) = (path.key(name), content.as_object().unwrap());
+                let default = content.get("default").filter(|default| !default.is_object() && !default.is_null());
+                let description = content["description"].as_str().unwrap().replace('\n', " ");
+                if let Some(default) = default
+                    && !is_same(described_default(&description), default, content)
+                {
+                    wrong.push(format!("{here}: {description:?}, default {default}"));
+                }
+                walk(&here, content, wrong);
+            }
+            for (name, content) in variants(schema).into_iter().flatten() {
+                walk(&path.key(name), content, wrong);
+            }
+            for key in ["items", "additionalProperties"] {
+                if let Some(content) = schema.get(key).and_then(Value::as_object) {
+                    walk(&path.key("NAME"), content, wrong);
+                }
+            }
+        }
+        let mut wrong = Vec::new();
+        walk(&Path::default(), schema().as_object().unwrap(), &mut wrong);
+        assert!(wrong.is_empty(), "{wrong:#?}");
+    }
+
     #[test]
     fn the_keys_of_a_table_are_those_of_its_type() {
         assert_eq!(keys_at("tractor"), ["cylinder", "sphere", "box", "particle"]);
@@ -166,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_is_found_wherever_it_stands() {
+    fn a_key_is_found_in_every_section_that_has_it() {
         assert_eq!(find_key(schema(), "segment_length"), ["solve.segment_length"]);
         assert!(find_key(schema(), "side").contains(&"web.space.side".to_string()));
     }

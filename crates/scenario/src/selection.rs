@@ -1,21 +1,21 @@
-//! What a load, a drive or a tie names: parts of the web by their place, their id or a name of the user's.
+//! The nodes that a load, a drive or a break tie acts on: corners, tractors, nodes by their ids, feature points by name.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which nodes are meant.
+/// A set of nodes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Selection {
-    /// Whether each of the web's corners is meant.
+    /// Whether the corners of the web are selected. Default: false.
     #[serde(default)]
     pub corners: bool,
-    /// Whether each tractor is meant.
+    /// Whether the tractors are selected. Default: false.
     #[serde(default)]
     pub tractors: bool,
-    /// The ids of nodes.
+    /// Ids of the nodes that are selected. Default: none.
     #[serde(default)]
     pub nodes: Vec<String>,
-    /// The names of feature points.
+    /// Names of the feature points that are selected. Default: none.
     #[serde(default)]
     pub points: Vec<String>,
 }

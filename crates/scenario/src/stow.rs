@@ -15,14 +15,14 @@ use crate::interval::{BelowOne, Fraction, NonNegative, PackingTime, Positive, Up
 use crate::quantity::{Acceleration, Angle, Length, Number, Rate, Time};
 use crate::written::Written;
 
-/// `[stow]`: a pattern, and how the packed web differs from it. Left out: the web starts as drawn.
+/// `[stow]`: a pattern, and how the packed web differs from it. Default: the web starts as drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Stowage {
     /// The pattern.
-    // places in the file come from the schema's check, not from serde
+    // flattening loses no place in the file: places come from the check of the schema
     #[serde(flatten)]
     pub pattern: Stow,
-    /// How the packed web differs from its pattern. Left out: it does not.
+    /// Random and given deviations of the packed web from its pattern. Default: none.
     pub imperfection: Option<Imperfect>,
 }
 
@@ -30,26 +30,26 @@ pub struct Stowage {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Stow {
-    /// The flat web shrunk about its centre, rest lengths kept.
+    /// The flat web, shrunk about its centre. Rest lengths do not change.
     Scale(ScaleStow),
-    /// Drawn in to a radius, the middle hanging below, the tractors on top.
+    /// The web drawn in to a radius. Its middle hangs below the outline; the tractors are above it.
     Bag(BagStow),
-    /// An accordion, its layers upright in a container.
+    /// An accordion with upright layers, in a container.
     Zigzag(ZigzagStow),
-    /// Radial folds wound round the middle.
+    /// Radial folds wound around the middle.
     Star(StarStow),
     /// A band of upright layers, rolled up from its middle.
     Roll(FoldStow),
-    /// Flat layers on one another.
+    /// Flat layers on top of each other.
     Layers(FoldStow),
-    /// Led into a container along given paths, and settled there.
+    /// Knots led into a container along given paths; the rest of the web settles there.
     Prescribed(PrescribedStow),
     /// Positions from a CSV file.
     File(FileStow),
 }
 
 impl Stow {
-    /// The table that it is written in.
+    /// The path of its table in the scenario.
     pub fn table(&self) -> &'static str {
         match self {
             Self::Scale(_) => "stow.scale",
@@ -63,7 +63,7 @@ impl Stow {
         }
     }
 
-    /// Writes out the default of the distance between layers: the diameter of the thickest rope.
+    /// Fills in the default distance between layers, which is the diameter `thickest` of the thickest rope.
     pub(crate) fn complete(&mut self, thickest: Length<Positive>) {
         let spacing = match self {
             Self::Zigzag(zigzag) => &mut zigzag.spacing,
@@ -75,29 +75,30 @@ impl Stow {
     }
 }
 
-/// `[stow.scale]`
+/// `[stow.scale]`: the flat web, shrunk about its centre. Rest lengths do not change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScaleStow {
-    /// Stowed size over drawn size.
+    /// Stowed size over drawn size, more than 0 and at most 1.
     pub factor: Number<UpToOne>,
 }
 
-/// `[stow.bag]`
+/// `[stow.bag]`: the web drawn in to a radius. Its middle hangs below the outline; the tractors are above it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BagStow {
     /// Radius of the bag, m.
     pub radius: Length<Positive>,
-    /// How far the middle hangs below the outline, m. Left out: as far as the ropes reach.
+    /// Depth of the middle below the outline, m. Default: 0.6 of the largest depth that the ropes allow.
     pub depth: Option<Length<NonNegative>>,
-    /// Radius of the circle the tractors stand on, m. Left out: that of the bag.
+    /// Radius of the circle that the tractors stand on, m. Default: that of the bag.
     pub tractor_radius: Option<Length<Positive>>,
-    /// How far the tractors stand above the outline, m. Left out: as far as their ropes allow.
+    /// Height of the tractors above the outline, m. Default: 0.6 of the length of the traction ropes, or less where
+    /// that would stretch them.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-/// The room that a web is packed into, its mouth towards the launch.
+/// The container that a web is packed into. Its mouth points in the direction of the launch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Container {
@@ -107,7 +108,7 @@ pub enum Container {
     Box(BoxRoom),
 }
 
-/// A tube's inner sizes.
+/// Inner sizes of a tube.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylinderRoom {
@@ -117,156 +118,167 @@ pub struct CylinderRoom {
     pub height: Length<Positive>,
 }
 
-/// A box's inner sizes.
+/// Inner sizes of a box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoxRoom {
-    /// Size along x of the flat web, m.
+    /// Size along the x axis of the flat web, m.
     pub width: Length<Positive>,
-    /// Size along y of the flat web, m.
+    /// Size along the y axis of the flat web, m.
     pub breadth: Length<Positive>,
     /// Height along the launch axis, m.
     pub height: Length<Positive>,
 }
 
-/// What the folds of an accordion follow.
+/// The direction of the folds of an accordion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Along {
-    /// Rings about the middle: walls one inside the other, the middle on the floor.
+    /// Rings around the middle. They stand one inside the other, and the middle lies on the floor.
     #[default]
     Rings,
-    /// Parallel lines, folded once more across.
+    /// Parallel lines, folded a second time across.
     Lines,
 }
 
-/// `[stow.zigzag]`
+/// `[stow.zigzag]`: an accordion with upright layers, in a container.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ZigzagStow {
-    /// What the folds follow. Default: rings.
+    /// The direction of the folds. Default: "rings".
     #[serde(default)]
     pub along: Along,
-    /// The room that the web is folded into, ropes and all.
+    /// The container that must hold the folded web, including the thickness of its ropes.
     pub container: Container,
-    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    /// Distance between layers, m. Default: the diameter of the thickest rope, traction ropes excluded.
     pub spacing: Option<Length<Positive>>,
-    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    /// Radius of the circle that the tractors stand on, m. Default: that of the container.
     pub tractor_radius: Option<Length<Positive>>,
-    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    /// Height of the tractors above the packed web, m. Default: 0.6 of the length of the traction ropes, or less
+    /// where that would stretch them.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-/// `[stow.star]`
+/// `[stow.star]`: radial folds wound around the middle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StarStow {
-    /// How many arms. Left out: as many as corners, or 6 where there are fewer than 3.
+    /// Number of arms. Default: the number of corners, or 6 where the web has fewer than 3.
     pub arms: Option<NonZeroU32>,
-    /// The room that the web is folded into, ropes and all.
+    /// The container that must hold the folded web, including the thickness of its ropes.
     pub container: Container,
-    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    /// Distance between layers, m. Default: the diameter of the thickest rope, traction ropes excluded.
     pub spacing: Option<Length<Positive>>,
-    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    /// Radius of the circle that the tractors stand on, m. Default: that of the container.
     pub tractor_radius: Option<Length<Positive>>,
-    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    /// Height of the tractors above the packed web, m. Default: 0.6 of the length of the traction ropes, or less
+    /// where that would stretch them.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-/// `[stow.roll]` and `[stow.layers]`
+/// `[stow.roll]`: a band of upright layers, rolled up from its middle. `[stow.layers]`: flat layers on top of each
+/// other.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FoldStow {
-    /// The room that the web is folded into, ropes and all.
+    /// The container that must hold the folded web, including the thickness of its ropes.
     pub container: Container,
-    /// Distance between layers, m. Left out: the diameter of the thickest rope, traction ropes apart.
+    /// Distance between layers, m. Default: the diameter of the thickest rope, traction ropes excluded.
     pub spacing: Option<Length<Positive>>,
-    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    /// Radius of the circle that the tractors stand on, m. Default: that of the container.
     pub tractor_radius: Option<Length<Positive>>,
-    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    /// Height of the tractors above the packed web, m. Default: 0.6 of the length of the traction ropes, or less
+    /// where that would stretch them.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-/// `[stow.prescribed]`: some knots of the flat web are led along given paths, the rest follows under weight and damping,
-/// until it rests in a tube about the launch axis.
+/// `[stow.prescribed]`: some knots of the flat web are led along given paths. The rest follows under gravity and
+/// damping until the web rests in a tube around the launch axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PrescribedStow {
     /// Radius of the container, m.
     pub radius: Length<Positive>,
-    /// How far the container's floor lies below the flat web, m. Left out: there is no floor.
+    /// Depth of the floor of the container below the flat web, m. Default: none; there is no floor.
     pub depth: Option<Length<NonNegative>>,
-    /// What is led, by name; displacements are those in the launch frame, from where a knot lies in the flat web; a
-    /// path ends within 1000 s. Left out: the outline, straight to a ring of the container's radius.
+    /// The knots that are led and their paths, by name. Displacements are in the launch frame, from where a knot lies
+    /// in the flat web. A path ends within 1000 s. Default: the outline, led straight to a ring with the radius of
+    /// the container.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub drive: BTreeMap<String, Drive>,
-    /// In which time the outline is drawn in, s, where nothing else is led.
-    #[serde(default = "drawing_in")]
+    /// Time in which the outline is drawn in, s, where `drive` is left out. Default: 1 s.
+    #[serde(default = "default_drawing_time")]
     pub time: Time<PackingTime>,
-    /// Acceleration into the container, m/s^2.
-    #[serde(default = "standard_gravity")]
+    /// Acceleration into the container, m/s^2. Default: 9.80665 m/s^2.
+    #[serde(default = "default_packing_gravity")]
     pub gravity: Acceleration<NonNegative>,
-    /// Mass-proportional damping, 1/s.
-    #[serde(default = "strong_damping")]
+    /// Mass-proportional damping, 1/s. Default: 5 1/s.
+    #[serde(default = "default_packing_damping")]
     pub damping: Rate<NonNegative>,
-    /// The web rests when its kinetic energy is this share of what it was at most.
-    #[serde(default = "resting_share")]
+    /// The web counts as resting when its kinetic energy has fallen to this share of its maximum. Default: 1e-4.
+    #[serde(default = "default_resting_share")]
     pub rest: Number<BelowOne>,
-    /// After which time it is taken as it is, s.
-    #[serde(default = "longest_settling")]
+    /// Time after which the packing ends even if the web does not rest, s. Default: 20 s.
+    #[serde(default = "default_longest")]
     pub longest: Time<PackingTime>,
-    /// Radius of the circle the tractors stand on, m. Left out: that of the container.
+    /// Radius of the circle that the tractors stand on, m. Default: that of the container.
     pub tractor_radius: Option<Length<Positive>>,
-    /// How far the tractors stand above the packed web, m. Left out: 0.6 of their ropes, or as far as these reach.
+    /// Height of the tractors above the packed web, m. Default: 0.6 of the length of the traction ropes, or less
+    /// where that would stretch them.
     pub tractor_gap: Option<Length<NonNegative>>,
 }
 
-fn drawing_in() -> Time<PackingTime> {
+fn default_drawing_time() -> Time<PackingTime> {
     Time::constant(1.0)
 }
 
-fn standard_gravity() -> Acceleration<NonNegative> {
+fn default_packing_gravity() -> Acceleration<NonNegative> {
     Acceleration::constant(STANDARD_GRAVITY)
 }
 
-fn strong_damping() -> Rate<NonNegative> {
+fn default_packing_damping() -> Rate<NonNegative> {
     Rate::constant(5.0)
 }
 
-fn resting_share() -> Number<BelowOne> {
+fn default_resting_share() -> Number<BelowOne> {
     Number::constant(1e-4)
 }
 
-fn longest_settling() -> Time<PackingTime> {
+fn default_longest() -> Time<PackingTime> {
     Time::constant(20.0)
 }
 
-/// `[stow.imperfection]`: drawn from a seed, the same on every machine; it stretches no rope.
+/// `[stow.imperfection]`: deviations of the packed web from its pattern. Random ones are drawn from a seed and are
+/// the same on every machine. No deviation stretches a rope.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Imperfect {
-    /// Standard deviation of each node's place along each of the two directions normal to the launch axis, m; ropes that
-    /// would be stretched by it shorten the way.
+    /// Standard deviation of each node's position along each of the two directions normal to the launch axis, m. A
+    /// node moves less where a rope would stretch. Default: 0 m.
     pub scatter: Length<NonNegative>,
-    /// Turn of the lowest node about the launch axis against the highest, rad; the web shrinks by what it would stretch.
+    /// Rotation of the lowest node about the launch axis, relative to the highest, rad. The web shrinks as far as the
+    /// twist would stretch it. Default: 0 deg.
     pub twist: Angle,
-    /// By how much the web is shrunk beforehand, so that ropes have room to move.
+    /// Share by which the web is shrunk before it is scattered, so that ropes have room to move. Default: 0.02.
     pub slack: Number<Fraction>,
-    /// A sector of the web that stays where it is stowed for a while. Left out: none does.
+    /// A sector of the web that stays where it is stowed until a given time. It is then released all at once and
+    /// starts from rest. Default: none.
     pub late_sector: Option<LateSector>,
-    /// What the scatter, and a late sector's direction, are drawn from.
+    /// Seed of the scatter and of the direction of a late sector. Default: 0.
     pub seed: u32,
 }
 
-/// `[stow.imperfection.late_sector]`: it catches in its container, and starts from rest when that lets go of it at once.
+/// `[stow.imperfection.late_sector]`: a sector that is caught in its container. It is released all at once and starts
+/// from rest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LateSector {
-    /// From edge to edge, about the launch axis of the flat web, rad.
+    /// Angle from edge to edge, about the launch axis, in the flat web, rad.
     pub width: Angle<WholeTurn>,
-    /// When it is let go of, s.
+    /// Time of its release, s.
     pub until: Time<Positive>,
-    /// Direction of its middle line, anticlockwise from x of the flat web, rad. Left out: drawn from the seed.
+    /// Direction of its centre line, anticlockwise from the x axis of the flat web, rad. Default: random, from the
+    /// seed.
     pub direction: Option<Angle>,
 }
 
@@ -282,27 +294,27 @@ impl Default for Imperfect {
     }
 }
 
-/// `[stow.file]`
+/// `[stow.file]`: positions from a CSV file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FileStow {
-    /// CSV file of the stowed nodes: columns id, x, y, z, in m. Relative to the scenario.
+    /// CSV file of the stowed nodes, with columns id, x, y, z in m. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub path: PathBuf,
 }
 
-/// A row of `[stow.file]`.
+/// A row of the file of `[stow.file]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StowRow {
     /// The node's id, unique.
     pub id: String,
     /// Position x, y, z, m.
     pub position_m: [f64; 3],
-    /// Its line in the file, from 1.
+    /// The line of the file, counted from 1.
     pub line: usize,
 }
 
-/// A node as [`write_stow`] writes it.
+/// A node that [`write_stow`] writes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StowedNode {
     /// The node's id.
@@ -311,7 +323,7 @@ pub struct StowedNode {
     pub position_m: [f64; 3],
 }
 
-/// Writes a file for `[stow.file]`. Decimals are the shortest that read back to the same bits.
+/// Writes a file for `[stow.file]`. Every decimal is the shortest that reads back to the same bits.
 ///
 /// # Errors
 /// Where the file cannot be written.
@@ -324,7 +336,7 @@ pub fn write_stow(path: &std::path::Path, nodes: impl IntoIterator<Item = Stowed
     Ok(file.flush()?)
 }
 
-/// Reads the file of `[stow.file]`; none where the web is packed in another way or the file cannot be read.
+/// Reads the file of `[stow.file]`. `None` where the web is packed in another way or the file cannot be read.
 pub(crate) fn read_stow(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<StowRow>> {
     let mut table = CsvTable::read(written, "stow.file.path", &["id", "x", "y", "z"], &[], found)?;
     let mut ids = Ids::default();

@@ -1,11 +1,11 @@
-//! `[traction_rope]`, `[[tractors]]`: what ties the tractors to the web, and what is different about one of them.
+//! `[traction_rope]`, `[[tractors]]`: the ropes that tie tractors to the web, and tractors that differ from the others.
 //!
-//! Where a rope is tied to a tractor:
+//! Points where a rope can be tied to a tractor:
 //!
 //! ```text
-//!                 z, the way it flies                front   middle of the end that flies first
-//!            ┌──┬──┐                                 centre  centre of mass: the rope turns nothing, and the
-//!            │     │                                         tractor is a particle
+//!                 z, direction of flight             front   middle of the end that flies first
+//!            ┌──┬──┐                                 centre  centre of mass: the rope exerts no torque, and
+//!            │     │                                         the tractor is a particle
 //!   x, away  │  +──┼─▶ x                             rear    middle of the end that flies last
 //!   from the │     │                                 tie_point  anywhere: [x, y, z] from the centre
 //!   axis     └──┴──┘
@@ -21,20 +21,20 @@ use crate::body::{Body, Cuboid, Cylinder, Particle, Sphere};
 use crate::interval::{NonNegative, QuarterTurns};
 use crate::quantity::{Angle, Length, Speed, Time};
 
-/// `[traction_rope]`: from a web's corner to its tractor.
+/// `[traction_rope]`: the ropes from a corner of the web to its tractor.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["tied_at", "tie_point"]}))]
 pub struct TractionRope {
-    /// Length, m; 0 ties the tractors straight to the web's corners.
+    /// Length, m. With 0 the tractors are tied straight to the corners of the web.
     pub length: Length<NonNegative>,
-    /// Parallel ropes a tractor; all are tied to it at the same point.
+    /// Number of parallel ropes for each tractor, all tied to it at the same point. Default: 1.
     #[serde(default = "default_count")]
     pub count: NonZeroU32,
-    /// Where it is tied to the tractor. Default: at its centre.
+    /// Where the ropes are tied to the tractor. Default: at its centre of mass.
     pub tied_at: Option<TiedAt>,
-    /// Where it is tied to the tractor, from its centre along its axes x, y, z, m: z the way it flies, x away from the
-    /// launch axis.
+    /// Where the ropes are tied to the tractor, as x, y, z from its centre along its own axes, m. The z axis points
+    /// in the direction of flight, the x axis away from the launch axis. It replaces `tied_at`.
     pub tie_point: Option<[Length; 3]>,
 }
 
@@ -46,7 +46,7 @@ fn default_count() -> NonZeroU32 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TiedAt {
-    /// Its centre of mass: no rope turns it, and it is a particle.
+    /// The centre of mass. The rope exerts no torque, and the tractor is a particle.
     Centre,
     /// The middle of the end that flies last.
     Rear,
@@ -54,41 +54,41 @@ pub enum TiedAt {
     Front,
 }
 
-/// `[[tractors]]`: what is different about one tractor. What is left out is as in `[tractor]`, `[traction_rope]` and
-/// `[launch]`.
+/// `[[tractors]]`: a tractor that differs from the others. A key that is left out is as in `[tractor]`,
+/// `[traction_rope]` and `[launch]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["tied_at", "tie_point"]}))]
 pub struct TractorOverride {
-    /// The corner it is tied to, from 1.
+    /// The corner that the tractor is tied to, counted from 1.
     pub corner: NonZeroU32,
-    /// A solid cylinder.
+    /// The tractor is a solid cylinder. A size, density or mass that is left out is that of `[tractor.cylinder]`.
     pub cylinder: Option<Cylinder>,
-    /// A solid sphere.
+    /// The tractor is a solid sphere.
     pub sphere: Option<Sphere>,
-    /// A solid box.
+    /// The tractor is a solid box.
     #[serde(rename = "box")]
     pub cuboid: Option<Cuboid>,
-    /// A mass without size.
+    /// The tractor is a mass without size.
     pub particle: Option<Particle>,
-    /// Where its rope is tied.
+    /// Where its ropes are tied. Default: as in `[traction_rope]`.
     pub tied_at: Option<TiedAt>,
-    /// Where its rope is tied, from its centre along its axes x, y, z, m.
+    /// Where its ropes are tied, as x, y, z from its centre along its own axes, m. It replaces `tied_at`.
     pub tie_point: Option<[Length; 3]>,
-    /// Speed along the launch axis, m/s.
+    /// Speed along the launch axis, m/s. Default: as in `[launch]`.
     pub axial_speed: Option<Speed>,
-    /// Speed away from the launch axis, m/s.
+    /// Speed away from the launch axis, m/s. Default: as in `[launch]`.
     pub radial_speed: Option<Speed>,
-    /// Elevation of its axis above the horizontal.
+    /// Elevation of its launch axis above the horizontal, rad. Default: as in `[launch]`.
     pub elevation: Option<Angle<QuarterTurns>>,
-    /// Azimuth of its axis, anticlockwise from x.
+    /// Azimuth of its launch axis, anticlockwise from x, rad. Default: as in `[launch]`.
     pub azimuth: Option<Angle>,
-    /// How long it stays where it is before it is launched, s. Default: not at all.
+    /// Time from the start to its launch, s. Until then it stays in place. Default: 0 s.
     pub delay: Option<Time<NonNegative>>,
 }
 
 impl TractorOverride {
-    /// Its own shape; what a cylinder leaves out is taken from `base`.
+    /// The shape given here. A cylinder takes the sizes that are left out from `base`.
     pub(crate) fn body(&self, base: Option<&Body>) -> Option<Body> {
         let cylinder = self.cylinder.as_ref().map(|cylinder| match base {
             Some(Body::Cylinder(base)) => Body::Cylinder(cylinder.over(base)),

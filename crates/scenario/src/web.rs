@@ -10,30 +10,30 @@ use serde::{Deserialize, Serialize};
 use crate::interval::{BelowOne, HalfTurn, NonNegative, Positive};
 use crate::quantity::{Angle, Length, Number};
 
-/// The web: one table, named after its kind.
+/// The web: one table, named after the kind of web.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Web {
     /// A hexagon filled with square cells of rope.
     Traditional(Traditional),
-    /// The space web's lattice with a closed hexagon of rope at every knot.
+    /// The lattice of the space web with a closed hexagon of rope at every knot.
     Topological(Topological),
-    /// A hexagonal lattice of triangles with double links and a canopy at every knot but the corners.
+    /// A hexagonal lattice of triangles with double links, and a canopy at every knot except the corners.
     Space(SpaceWeb),
     /// A square net of square meshes.
     Square(Square),
-    /// A regular polygon filled with parallels of its sides and radials.
+    /// A regular polygon filled with radials and with ropes parallel to its sides.
     Polygon(Polygon),
-    /// Radials and rings, as of a spider's web.
+    /// Radials and rings, as in a spider's web.
     Radial(Radial),
-    /// A net of rhombic meshes, as of knotted fishing nets, in a rectangular border.
+    /// A net of rhombic meshes in a rectangular border, as in knotted fishing nets.
     Diamond(Diamond),
-    /// Any net, from two CSV files.
+    /// Any net, read from two CSV files.
     Graph(Graph),
 }
 
 impl Web {
-    /// The table that it is written in.
+    /// The path of its table in the scenario.
     pub fn table(&self) -> &'static str {
         match self {
             Self::Traditional(_) => "web.traditional",
@@ -47,7 +47,7 @@ impl Web {
         }
     }
 
-    /// Writes out every default that depends on what else is given.
+    /// Fills in every default that depends on other keys.
     pub(crate) fn complete(&mut self) {
         match self {
             Web::Radial(web) => drop(web.corners.get_or_insert(web.radials)),
@@ -57,13 +57,13 @@ impl Web {
     }
 }
 
-/// `[web.traditional]`
+/// `[web.traditional]`: a hexagon filled with square cells of rope.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traditional {
     /// Side of the hexagon, m.
     pub side: Length<Positive>,
-    /// Square cells along one side of the hexagon.
+    /// Number of square cells along one side of the hexagon. Default: 6.
     #[serde(default = "default_cells_per_side")]
     pub cells_per_side: NonZeroU32,
 }
@@ -72,13 +72,13 @@ fn default_cells_per_side() -> NonZeroU32 {
     const { NonZeroU32::new(6).unwrap() }
 }
 
-/// `[web.topological]`
+/// `[web.topological]`: the lattice of the space web with a closed hexagon of rope at every knot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Topological {
-    /// Side of the hexagon, m.
+    /// Side of the web, which is a hexagon, m.
     pub side: Length<Positive>,
-    /// Side of the hexagon of rope at a knot, m.
+    /// Side of the hexagon of rope at a knot, m. Default: 0.14 m.
     #[serde(default = "default_hexagon_side")]
     pub hexagon_side: Length<Positive>,
 }
@@ -87,7 +87,7 @@ fn default_hexagon_side() -> Length<Positive> {
     Length::constant(0.14)
 }
 
-/// `[web.space]`
+/// `[web.space]`: a hexagonal lattice of triangles with double links, and a canopy at every knot except the corners.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SpaceWeb {
@@ -95,7 +95,7 @@ pub struct SpaceWeb {
     pub side: Length<Positive>,
 }
 
-/// `[web.square]`
+/// `[web.square]`: a square net of square meshes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Square {
@@ -103,19 +103,22 @@ pub struct Square {
     pub side: Length<Positive>,
     /// Side of a mesh, m.
     pub mesh: Length<Positive>,
-    /// Segments along one side of a mesh, instead of `solve.segment_length`.
+    /// Number of segments along one side of a mesh. Default: it follows from `solve.segment_length`.
     pub segments_per_mesh: Option<NonZeroU32>,
-    /// A second rope along the border, of link class `gathering`. Left out: none.
+    /// A drawstring: a second rope along the border, of link class `gathering`, tied to knots of the border. Default:
+    /// none.
     pub gathering: Option<Gathering>,
 }
 
-/// `[web.square.gathering]`: a drawstring, tied to some knots of the border where a real one slides in rings.
+/// `[web.square.gathering]`: a drawstring along the border. A real drawstring slides in rings; here it is tied to
+/// knots of the border.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gathering {
-    /// From one tie to the next, in knots of the border: a divisor of the meshes along a side.
+    /// Number of border knots from one tie to the next. It must divide the number of meshes along a side.
     pub every: NonZeroU32,
-    /// By how much it is longer than the border, as a share of that.
+    /// Excess of the length of the drawstring over that of the border, as a share of the length of the border.
+    /// Default: 0.
     #[serde(default = "default_excess")]
     pub excess: Number<NonNegative>,
 }
@@ -124,7 +127,8 @@ fn default_excess() -> Number<NonNegative> {
     Number::constant(0.0)
 }
 
-/// `[web.polygon]`. Its size is given by either `side` or `diameter`.
+/// `[web.polygon]`: a regular polygon filled with radials and with ropes parallel to its sides. Its size is given by
+/// either `side` or `diameter`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["side", "diameter"]}))]
@@ -132,16 +136,17 @@ pub struct Polygon {
     /// Number of sides, 3 to 24.
     #[schemars(range(min = 3, max = 24))]
     pub sides: NonZeroU32,
-    /// Length of a side, m.
+    /// Length of a side, m. Give this or `diameter`.
     pub side: Option<Length<Positive>>,
-    /// Diameter of the circle through the corners, m, instead of the side.
+    /// Diameter of the circle through the corners, m. Give this or `side`.
     pub diameter: Option<Length<Positive>>,
-    /// Distance of the parallels, m, as nearly as a whole number of them comes; cells are about as wide.
+    /// Distance between neighbouring parallels, m. It is rounded so that a whole number of them fits; cells are about
+    /// as wide.
     pub mesh: Length<Positive>,
 }
 
 impl Polygon {
-    /// Length of a side, m: given, or of the diameter.
+    /// Length of a side, m, as given or computed from the diameter.
     pub fn side_m(&self) -> f64 {
         let across = |diameter: f64| diameter * libm::sin(PI / f64::from(self.sides.get()));
         match (self.side, self.diameter) {
@@ -151,42 +156,44 @@ impl Polygon {
     }
 }
 
-/// `[web.radial]`
+/// `[web.radial]`: radials and rings, as in a spider's web.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Radial {
-    /// Diameter of the circle through the outline's corners, m.
+    /// Diameter of the circle through the corners of the outline, m.
     pub diameter: Length<Positive>,
     /// Number of radials, 3 to 360.
     pub radials: NonZeroU32,
-    /// Number of rings, evenly spaced, the outline among them and the hub not.
+    /// Number of evenly spaced rings. The outline counts as a ring, the hub does not.
     pub rings: NonZeroU32,
-    /// Diameter of the circle through the corners of the hub, m: an open ring at which the radials end. Left out: they meet
-    /// in a knot.
+    /// Diameter of the circle through the corners of the hub, m. The hub is an open ring at which the radials end.
+    /// Default: no hub; the radials meet in a knot.
     pub hub_diameter: Option<Length<Positive>>,
-    /// Number of radials whose ends are corners, where tractors are tied: a divisor of `radials`. Left out: all.
+    /// Number of radials that end in a corner, where a tractor is tied. It must divide `radials`. Default: all of
+    /// them.
     pub corners: Option<NonZeroU32>,
 }
 
-/// `[web.diamond]`. The meshes' shape is given by either `angle` or `hanging_ratio`; with neither, the angle is 90 deg.
+/// `[web.diamond]`: a net of rhombic meshes in a rectangular border. The shape of a mesh is given by either `angle`
+/// or `hanging_ratio`; with neither, the angle is 90 deg.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("not" = {"required": ["angle", "hanging_ratio"]}))]
 pub struct Diamond {
-    /// Side of a mesh, from knot to knot, m: half a stretched mesh.
+    /// Side of a mesh from knot to knot, m. This is half the length of a stretched mesh.
     pub mesh: Length<Positive>,
-    /// Meshes across the width.
+    /// Number of meshes across the width.
     pub meshes_wide: NonZeroU32,
-    /// Meshes across the height.
+    /// Number of meshes across the height.
     pub meshes_high: NonZeroU32,
-    /// Angle of a mesh at its upper and lower knot, rad. Default: 90 deg where `hanging_ratio` is not given.
+    /// Angle of a mesh at its upper and lower knots, rad. Default: 90 deg, unless `hanging_ratio` is given.
     pub angle: Option<Angle<HalfTurn>>,
-    /// Width of a mesh over its width when stretched sideways, E = sin(angle / 2).
+    /// Hanging ratio E of a mesh: its width over its width when stretched sideways, E = sin(angle / 2).
     pub hanging_ratio: Option<Number<BelowOne>>,
 }
 
 impl Diamond {
-    /// The hanging ratio, given or of the angle.
+    /// The hanging ratio, as given or computed from the angle.
     pub fn hanging_ratio(&self) -> f64 {
         match (self.hanging_ratio, self.angle) {
             (Some(ratio), _) => ratio.si(),
@@ -197,19 +204,20 @@ impl Diamond {
 
 const RIGHT_ANGLE: Angle<HalfTurn> = Angle::constant(FRAC_PI_2);
 
-/// `[web.graph]`. Paths are relative to the scenario.
+/// `[web.graph]`: any net, read from two CSV files. File paths are relative to the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Graph {
-    /// CSV file of the nodes: columns id, x, y, z and optionally mass, fixed, vx, vy, vz, in SI; fixed is 0 or 1.
+    /// CSV file of the nodes, with columns id, x, y, z and optionally mass, fixed, vx, vy, vz. Values are in SI
+    /// units; fixed is 0 or 1.
     #[schemars(extend("x-file" = true))]
     pub nodes: PathBuf,
-    /// CSV file of the ropes: columns a, b (node ids) and optionally rope, class, rest_length, pretension, segments,
-    /// in SI.
+    /// CSV file of the ropes, with columns a and b (node ids) and optionally rope, class, rest_length, pretension,
+    /// segments. Values are in SI units.
     #[schemars(extend("x-file" = true))]
     pub ropes: PathBuf,
-    /// The closed outline, as node ids in order. Left out: areas are null.
+    /// The closed outline as node ids in order. Default: none; areas in the results are then null.
     pub outline: Option<Vec<String>>,
-    /// Where tractors are tied, as node ids; also what `hold.corners` holds.
+    /// The nodes where tractors are tied, as node ids. `hold.corners` holds these nodes. Default: none.
     pub corners: Option<Vec<String>>,
 }
