@@ -1,19 +1,19 @@
-//! Commented scenarios to start from.
+//! The templates of `netcast init`: scenarios with comments to start from.
 
-/// A scenario to start from, with the files it names.
+/// A scenario to start from, with the files that it names.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
-    /// What it is called after `netcast init`.
+    /// Its name in `netcast init NAME`.
     pub kind: &'static str,
-    /// What it shows, in a line.
+    /// What it contains, in one line.
     pub summary: &'static str,
     /// The scenario.
     pub scenario: &'static str,
-    /// The files it names: name and text of each.
+    /// Name and text of each file that it names.
     pub files: &'static [(&'static str, &'static str)],
 }
 
-/// Every scenario to start from, the default first.
+/// All templates, the default first.
 pub const TEMPLATES: &[Template] = &[
     Template {
         kind: "space",
@@ -29,7 +29,7 @@ pub const TEMPLATES: &[Template] = &[
     },
     Template {
         kind: "topological",
-        summary: "the space web's lattice with a hexagon of rope at every knot",
+        summary: "the lattice of the space web with a hexagon of rope at every knot",
         scenario: include_str!("../templates/topological.toml"),
         files: &[],
     },
@@ -47,7 +47,7 @@ pub const TEMPLATES: &[Template] = &[
     },
     Template {
         kind: "radial",
-        summary: "radials and rings round an open hub, as of a spider, thrown by six tractors",
+        summary: "radials and rings around an open hub, like a spider's web, thrown by six tractors",
         scenario: include_str!("../templates/radial.toml"),
         files: &[],
     },
@@ -74,7 +74,7 @@ pub const TEMPLATES: &[Template] = &[
     },
 ];
 
-/// The scenario to start from of this kind.
+/// The template of this kind.
 pub fn template(kind: &str) -> Option<&'static Template> {
     TEMPLATES.iter().find(|template| template.kind == kind)
 }
