@@ -1,6 +1,7 @@
 //! `[payload.SHAPE]`, `[sensor.SHAPE]`, `[tractor.SHAPE]`: the solid bodies that the web carries.
 //!
-//! A body has axes x, y, z of its own, and its height lies along z. The z axis of a tractor points in the direction of flight.
+//! A body has axes x, y, z of its own, and its height lies along z. The z axis of a tractor points in the direction
+//! of flight.
 
 use std::f64::consts::PI;
 

@@ -217,8 +217,8 @@ impl Check<'_> {
     }
 }
 
-/// The keys that `table` lacks of the alternative sets of keys in `schema`, such as a material or its values: the last set
-/// where no set is complete, else nothing.
+/// The keys that `table` lacks of the alternative sets of keys in `schema`, such as a material or its values: the
+/// last set where no set is complete, else nothing.
 fn least_alternative<'s>(schema: &'s Schema, table: &Table) -> Vec<&'s str> {
     let sets = schema.get("anyOf").and_then(Json::as_array).into_iter().flatten();
     let sets: Vec<Vec<&str>> = sets.map(|set| strings(set.get("required")).collect()).collect();

@@ -17,8 +17,8 @@ pub(crate) const MOST_FAULTS: usize = 20;
 /// Memory that the values of a table take, as a multiple of its text.
 const COPIES: f64 = 12.0;
 
-/// A CSV file that a scenario names. Rows are split only when they are read, as a whole table of cells can need more memory
-/// than the values made from it.
+/// A CSV file that a scenario names. Rows are split only when they are read, as a whole table of cells can need more
+/// memory than the values made from it.
 #[derive(Clone, Debug)]
 pub(crate) struct CsvTable {
     source: Arc<Source>,

@@ -1,4 +1,4 @@
-//! What is wrong with the input, and where: all of it at once.
+//! Diagnostics: faults of the input with their places, all reported at once.
 
 use std::fmt;
 use std::ops::Range;
@@ -13,7 +13,7 @@ pub struct Source {
     pub text: String,
 }
 
-/// Where something stands.
+/// A place in the input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In a file.
@@ -27,47 +27,47 @@ pub enum Place {
     Override(String),
 }
 
-/// A place as a person counts.
+/// A place in a file as editors count it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Location {
     /// The file's name.
     pub file: String,
-    /// The line, from 1.
+    /// The line, counted from 1.
     pub line: usize,
-    /// The column in characters, from 1.
+    /// The column in characters, counted from 1.
     pub column: usize,
 }
 
-/// One thing that is wrong with the input.
+/// A fault of the input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// The path in the scenario, such as `web.space.side`; empty where none applies.
     pub path: String,
-    /// What is wrong, and what was expected.
+    /// The fault, and what was expected.
     pub message: String,
-    /// What to do about it.
+    /// How to correct it.
     pub help: Option<String>,
-    /// Where it stands; none for a file that cannot be read at all.
+    /// Its place; `None` for a file that cannot be read.
     pub place: Option<Place>,
 }
 
 impl Diagnostic {
-    /// Something wrong at `place`.
+    /// A fault at `place`, without help.
     pub fn new(path: impl fmt::Display, message: impl Into<String>, place: Option<Place>) -> Self {
         Self { path: path.to_string(), message: message.into(), help: None, place }
     }
 
-    /// Adds what to do about it.
+    /// Adds a help: how to correct the fault.
     pub fn with_help(self, help: impl Into<String>) -> Self {
         Self { help: Some(help.into()), ..self }
     }
 
-    /// Adds what to do about it, where there is something.
+    /// Sets the help, which may be absent.
     pub fn with_help_if(self, help: Option<String>) -> Self {
         Self { help, ..self }
     }
 
-    /// File, line and column; none where it does not stand in a file.
+    /// File, line and column; `None` where the place is not in a file.
     pub fn location(&self) -> Option<Location> {
         let Some(Place::File { source, span }) = &self.place else { return None };
         let before = source.text.get(..span.start).unwrap_or(&source.text);
@@ -99,12 +99,13 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// Everything that is wrong with the input, never empty, in the order of the file.
+/// All faults of the input, in the order of the files; never empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics(pub Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Fails with everything found: file by file as they were read, each from top to bottom, then the overrides.
+    /// Fails with all faults in `found`, sorted by file in the order of reading and by place in the file, then
+    /// overrides.
     ///
     /// # Errors
     /// Where anything was found.
@@ -120,7 +121,7 @@ impl Diagnostics {
                 files.push(source.clone());
             }
         }
-        // stable: what stands at one place keeps its order
+        // a stable sort keeps the order of faults at the same place
         found.sort_by_key(|diagnostic| match &diagnostic.place {
             Some(Place::File { source, span }) => {
                 (files.iter().position(|file| Arc::ptr_eq(file, source)).unwrap_or(files.len()), span.start)

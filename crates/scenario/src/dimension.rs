@@ -1,4 +1,4 @@
-//! The kinds of quantity a scenario may hold: their dimension, their SI unit, and how an error names them.
+//! The kinds of quantity in a scenario, with their dimension, their SI unit and their name in messages.
 
 pub use crate::exponents::Dimension;
 use crate::interval::Interval;
@@ -8,47 +8,47 @@ use crate::units;
 /// A kind of quantity, such as a length.
 #[derive(Debug, PartialEq)]
 pub struct Kind {
-    /// What `x-dimension` says in the schema.
+    /// Its name, as in `x-dimension` of the schema.
     pub name: &'static str,
     /// The name with its article, for sentences.
     pub article_name: &'static str,
     /// Its SI unit as a scenario writes it; empty for a number.
     pub unit: &'static str,
-    /// What a user may write.
+    /// An example of a value.
     pub example: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
 }
 
-/// What is wrong with a quantity.
+/// A fault of a quantity.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum QuantityError {
-    /// The text is no number with a unit.
+    /// The text is not a number with a unit.
     #[error("expected {expected}, found {text:?}: {error}")]
     Unreadable {
-        /// What the place takes.
+        /// What the key takes.
         expected: String,
-        /// What stood there.
+        /// The text in its place.
         text: String,
         /// Why it cannot be read.
         error: UnitError,
     },
-    /// The value has the dimension of something else.
+    /// The value has another dimension.
     #[error("expected {expected}, found {text:?}, which {}", describe(found))]
     Dimension {
-        /// What the place takes.
+        /// What the key takes.
         expected: String,
-        /// What stood there.
+        /// The text in its place.
         text: String,
-        /// The dimension of what stood there.
+        /// The dimension of that text.
         found: Dimension,
     },
-    /// The value lies outside what the place admits, or is not finite.
+    /// The value lies outside its interval or is not finite.
     #[error("expected {expected}, found {text}")]
     Range {
-        /// What the place takes.
+        /// What the key takes.
         expected: String,
-        /// What stood there.
+        /// The text in its place.
         text: String,
     },
 }
@@ -72,7 +72,10 @@ impl Kind {
         KINDS.iter().copied().find(|kind| kind.dimension == dimension)
     }
 
-    /// Reads `text`, a number with a unit, as a value in SI.
+    /// Reads `text`, a number with a unit, as a value in SI units.
+    ///
+    /// # Errors
+    /// Where it is not a number with a unit, has another dimension or lies outside `interval`.
     pub fn read_text(&self, text: &str, interval: &Interval) -> Result<f64, QuantityError> {
         let measure = units::parse(text).map_err(|error| QuantityError::Unreadable {
             expected: self.expected(interval),
@@ -89,7 +92,10 @@ impl Kind {
         self.admit(measure.si, interval, format!("{text:?}"))
     }
 
-    /// Checks a bare number, which is in SI.
+    /// Checks a bare number, which is in SI units.
+    ///
+    /// # Errors
+    /// Where it is not finite or lies outside `interval`.
     pub fn read_number(&self, si: f64, interval: &Interval) -> Result<f64, QuantityError> {
         self.admit(si, interval, format!("{si:?}"))
     }
@@ -102,7 +108,7 @@ impl Kind {
         }
     }
 
-    /// What a place of this kind takes, such as `a length greater than 0 such as "2.5 m"`.
+    /// What a key of this kind takes, in words, such as `a length greater than 0 such as "2.5 m"`.
     pub fn expected(&self, interval: &Interval) -> String {
         let bounds = interval.describe(self.dimension);
         let space = if bounds.is_empty() { "" } else { " " };
@@ -185,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mass_is_no_length() {
+    fn a_mass_is_refused_as_a_length() {
         let error = unit::Metre::KIND.read_text("2.5 kg", &Interval::ALL).unwrap_err();
         assert_eq!(error.to_string(), r#"expected a length such as "2.5 m", found "2.5 kg", which is a mass"#);
     }

@@ -1,4 +1,4 @@
-//! A scenario that was read and checked, with the files it names and the text it came from.
+//! Reads and checks a scenario, together with the files that it names.
 
 use std::path::Path as FilePath;
 
@@ -13,27 +13,27 @@ use crate::scenario::Scenario;
 use crate::text_file::read_text;
 use crate::written::Written;
 
-/// The largest file that is read as a scenario: larger ones are results, or never end.
+/// The largest size, bytes, of a file that is read as a scenario. A larger file is of another kind or a device.
 const MOST_BYTES: f64 = 64e6;
 
 /// A scenario that was read and checked.
 #[derive(Clone, Debug)]
 pub struct Document {
-    /// As it was written, with what the library of materials adds.
+    /// The keys as written, with the values that the library of materials adds.
     pub written: Written,
-    /// What the library of materials adds.
+    /// The values that the library of materials adds.
     pub library: FromLibrary,
-    /// As it is meant, with every default filled in.
+    /// The typed scenario, with every default filled in.
     pub scenario: Scenario,
-    /// What stands in the files that it names.
+    /// The contents of the files that it names.
     pub files: Files,
 }
 
 impl Document {
-    /// Reads the scenario in `file` and the files it names. Each override is `path=value`, as after `--set`.
+    /// Reads the scenario in `file` and the files that it names. An override is `path=value`, as after `--set`.
     ///
     /// # Errors
-    /// Everything that is wrong with them, at once.
+    /// All faults of the scenario and its files at once.
     pub fn read(file: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
         let unreadable =
             |reason: String| Diagnostic::new("", format!("cannot read {}: {reason}", file.display()), None);
@@ -42,18 +42,18 @@ impl Document {
         Self::parse(source, file.parent().unwrap_or(FilePath::new("")), overrides)
     }
 
-    /// Reads a scenario from its text; the files it names are looked for in `folder`.
+    /// Reads a scenario from its text. The files that it names are in `folder`.
     ///
     /// # Errors
-    /// Everything that is wrong with them, at once.
+    /// All faults of the scenario and its files at once.
     pub fn parse(source: Source, folder: &FilePath, overrides: &[String]) -> Result<Self, Diagnostics> {
         Self::parse_with(source, FileSource::in_folder(folder), overrides)
     }
 
-    /// Reads a scenario from its text; the files it names are those of `files`.
+    /// Reads a scenario from its text. The files that it names are found by `files`.
     ///
     /// # Errors
-    /// Everything that is wrong with them, at once.
+    /// All faults of the scenario and its files at once.
     pub fn parse_with(source: Source, files: FileSource, overrides: &[String]) -> Result<Self, Diagnostics> {
         let (mut written, mut found) = match Written::parse(source, files, overrides) {
             Ok(parsed) => parsed,
@@ -70,8 +70,8 @@ impl Document {
         Ok(Self { written, library, scenario, files })
     }
 
-    /// Something a later stage finds wrong with what stands at `path`, such as `web.space.side`. It is shown there, or
-    /// at the nearest parent that was written.
+    /// A diagnostic of a later stage about the value at `path`, such as `web.space.side`. It points to that value, or
+    /// to the nearest parent in the file.
     pub fn diagnostic(&self, path: &str, message: impl Into<String>) -> Diagnostic {
         self.written.at_value(&self.written.tree.resolve(&Path::parse(path)), message)
     }

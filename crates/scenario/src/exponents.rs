@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// Exponents of the base units of a quantity. The radian counts as a base unit, so that an angle is no mere number.
+/// Exponents of the base units of a quantity. The radian counts as a base unit, which distinguishes angles from
+/// numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dimension {
     /// Exponent of the metre.
@@ -16,6 +17,7 @@ pub struct Dimension {
 }
 
 impl Dimension {
+    /// The dimension with these exponents of metre, kilogram, second and radian.
     pub(crate) const fn new([length, mass, time, angle]: [i32; 4]) -> Self {
         Self { length, mass, time, angle }
     }

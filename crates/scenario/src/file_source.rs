@@ -1,4 +1,4 @@
-//! Where the files that a scenario names are found: in a folder, or given by value.
+//! Finds the files that a scenario names, in a folder or among texts in memory.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -6,27 +6,27 @@ use std::{fs, io};
 
 use crate::text_file::read_text;
 
-/// Where the files that a scenario names are found.
+/// Finds the files that a scenario names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FileSource {
     /// The folder that relative paths start from.
     folder: PathBuf,
-    /// The texts of files that are given by value, by the path that the scenario names.
+    /// Texts of files in memory, by their path in the scenario.
     given: BTreeMap<PathBuf, String>,
 }
 
 impl FileSource {
-    /// Those in `folder`.
+    /// Finds files in `folder`.
     pub fn in_folder(folder: &Path) -> Self {
         Self { folder: folder.to_path_buf(), given: BTreeMap::new() }
     }
 
-    /// Gives the text of the file that the scenario names `name`, in place of one on the disk.
+    /// Adds a text in memory for the file `name`. It replaces a file on disk.
     pub fn give(&mut self, name: impl Into<PathBuf>, text: String) {
         self.given.insert(name.into(), text);
     }
 
-    /// The path of a file, as messages name it.
+    /// The path of a file for messages.
     pub fn path(&self, name: &Path) -> PathBuf {
         if self.given.contains_key(name) { name.to_path_buf() } else { self.folder.join(name) }
     }
@@ -34,7 +34,7 @@ impl FileSource {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// Where it is not given and cannot be read.
+    /// Where it is not in memory and cannot be read from disk.
     pub fn bytes(&self, name: &Path) -> io::Result<Vec<u8>> {
         match self.given.get(name) {
             Some(text) => Ok(text.clone().into_bytes()),
@@ -42,10 +42,10 @@ impl FileSource {
         }
     }
 
-    /// The text of a file; one on the disk may have `most` bytes.
+    /// The text of a file. A file on disk can have at most `most` bytes.
     ///
     /// # Errors
-    /// Why it cannot be read, in words.
+    /// The reason why it cannot be read, in words.
     pub(crate) fn text(&self, name: &Path, most: f64) -> Result<String, String> {
         match self.given.get(name) {
             Some(text) => Ok(text.clone()),
@@ -59,7 +59,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_given_by_value_stands_for_the_one_on_the_disk() {
+    fn a_text_in_memory_replaces_the_file_on_disk() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("nodes.csv"), "on the disk").unwrap();
         let mut files = FileSource::in_folder(folder.path());

@@ -1,7 +1,7 @@
-//! The files that a scenario names.
+//! Reads, lists and renames the files that a scenario names.
 //!
-//! A key that names a file bears `x-file` in the schema, by which its file is found and renamed; what its rows are and how
-//! they are read stands beside its section. [`Files`] lists what has been read.
+//! The schema marks a key that names a file with `x-file`. Files are listed and renamed by this mark. The rows of a
+//! file and their reader are beside the section that names the file; [`Files`] holds all rows.
 
 use std::collections::BTreeMap;
 use std::path::{Path as FilePath, PathBuf};
@@ -21,27 +21,27 @@ use crate::stow::{StowRow, read_stow};
 use crate::wind::{WindRow, read_wind};
 use crate::written::Written;
 
-/// What stands in the files that a scenario names.
+/// The contents of the files that a scenario names.
 #[derive(Clone, Debug, Default)]
 pub struct Files {
-    /// Of `[web.graph]`.
+    /// Nodes and ropes of `[web.graph]`.
     pub graph: Option<GraphFiles>,
-    /// Of `[stow.file]`.
+    /// Rows of the file of `[stow.file]`.
     pub stowed: Option<Vec<StowRow>>,
-    /// Of `[rope.law.table]`.
+    /// Files of `[rope.law.table]`, by their names in the scenario.
     pub laws: LawFiles,
-    /// Of the force in `[launch.tube]`.
+    /// Rows of the file of the force in `[launch.tube]`.
     pub push: Option<Vec<PushRow>>,
-    /// Of `[drive.NAME]`, by name.
+    /// Rows of the files of `[drive.NAME]`, by the names of the drives.
     pub paths: BTreeMap<String, Vec<PathRow>>,
-    /// Of `[stow.prescribed.drive.NAME]`, by name.
+    /// Rows of the files of `[stow.prescribed.drive.NAME]`, by the names of the drives.
     pub stow_paths: BTreeMap<String, Vec<PathRow>>,
-    /// Of `[environment.wind.series]`.
+    /// Rows of the file of `[environment.wind.series]`.
     pub wind: Option<Vec<WindRow>>,
 }
 
 impl Files {
-    /// Reads all of them; one that cannot be read is left out and told.
+    /// Reads all files. One that cannot be read is reported and left out.
     pub(crate) fn read(written: &Written, found: &mut Vec<Diagnostic>) -> Self {
         Self {
             graph: read_graph(written, found),
@@ -63,10 +63,10 @@ impl Scenario {
         files
     }
 
-    /// The same scenario, with its files under the names that `rename` gives them.
+    /// The same scenario, with its files renamed by `rename`.
     ///
     /// # Errors
-    /// That of `rename`.
+    /// The error of `rename`.
     pub fn with_files<E>(&self, mut rename: impl FnMut(&FilePath) -> Result<String, E>) -> Result<Self, E> {
         let mut failed = None;
         let renamed = self.visit_files(&mut |file: &mut String| match rename(FilePath::new(file)) {
@@ -76,7 +76,7 @@ impl Scenario {
         failed.map_or(Ok(renamed), Err)
     }
 
-    /// The scenario after `visit` has seen, and may have changed, the name of each file.
+    /// Calls `visit` with the name of each file, which it can change. Returns the scenario with these names.
     fn visit_files(&self, visit: &mut dyn FnMut(&mut String)) -> Self {
         let mut value = Toml::try_from(self).expect("scenario: keys are strings and values are those of TOML");
         if let Some(root) = schema().as_object() {
@@ -102,7 +102,9 @@ fn visit_below(schema: &Map<String, Json>, value: &mut Toml, visit: &mut dyn FnM
         }
         Toml::Array(elements) => {
             if let Some(below) = schema.get("items").and_then(Json::as_object) {
-                elements.iter_mut().for_each(|value| visit_below(below, value, visit));
+                for value in elements {
+                    visit_below(below, value, visit);
+                }
             }
         }
         _ => {}
@@ -114,7 +116,7 @@ mod tests {
     use super::*;
     use crate::path::Path;
 
-    /// Each key that is described as a file, with whether it says so.
+    /// Each key whose description begins with "CSV file", with whether the schema marks it as a file.
     fn described(schema: &Map<String, Json>, path: &Path, found: &mut Vec<(String, bool)>) {
         let is_file = |content: &Map<String, Json>| {
             content.get("description").and_then(Json::as_str).is_some_and(|text| text.starts_with("CSV file"))
@@ -135,9 +137,9 @@ mod tests {
     }
 
     #[test]
-    fn every_key_that_names_a_file_says_so() {
+    fn every_key_that_names_a_file_is_marked() {
         let mut found = Vec::new();
         described(schema().as_object().unwrap(), &Path::default(), &mut found);
-        assert!(found.len() >= 9 && found.iter().all(|(_, says_so)| *says_so), "{found:#?}");
+        assert!(found.len() >= 9 && found.iter().all(|(_, is_marked)| *is_marked), "{found:#?}");
     }
 }

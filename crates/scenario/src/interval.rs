@@ -1,4 +1,4 @@
-//! Which values a quantity may take: intervals, and the marker types that carry them in a field's type.
+//! Intervals of the values that a quantity can take, and marker types for them in the types of fields.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Bound, RangeBounds};
@@ -7,12 +7,12 @@ use serde_json::{Map, Value};
 
 use crate::exponents::Dimension;
 
-/// The values a quantity may take, in SI.
+/// The values that a quantity can take, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Where it starts.
+    /// Its lower end.
     pub lower: Bound<f64>,
-    /// Where it ends.
+    /// Its upper end.
     pub upper: Bound<f64>,
 }
 
@@ -31,7 +31,7 @@ impl Interval {
         (self.lower, self.upper).contains(&si)
     }
 
-    /// Reads the bounds that a JSON Schema states.
+    /// Reads the bounds from a JSON Schema.
     pub fn from_schema(schema: &Map<String, Value>) -> Self {
         let number = |keyword: &str| schema.get(keyword).and_then(Value::as_f64);
         let bound = |inclusive, exclusive| match (number(inclusive), number(exclusive)) {
@@ -42,7 +42,7 @@ impl Interval {
         Self { lower: bound(INCLUSIVE_LOWER, EXCLUSIVE_LOWER), upper: bound(INCLUSIVE_UPPER, EXCLUSIVE_UPPER) }
     }
 
-    /// States the bounds in a JSON Schema.
+    /// Writes the bounds into a JSON Schema.
     pub fn write_schema(&self, schema: &mut Map<String, Value>) {
         let mut state = |bound, inclusive: &str, exclusive: &str| match bound {
             Bound::Included(limit) => drop(schema.insert(inclusive.into(), Value::from(limit))),
@@ -53,7 +53,7 @@ impl Interval {
         state(self.upper, INCLUSIVE_UPPER, EXCLUSIVE_UPPER);
     }
 
-    /// The bounds in words, such as `greater than 0`; angles in degrees.
+    /// The bounds in words, such as `greater than 0`. Angles are in degrees.
     pub fn describe(&self, dimension: Dimension) -> String {
         let limit = |si: f64| if dimension.angle == 1 { format!("{} deg", si.to_degrees()) } else { si.to_string() };
         let lower = match self.lower {
@@ -104,21 +104,21 @@ intervals! {
     BelowOne: Bound::Excluded(0.0), Bound::Excluded(1.0);
     /// Zero or more, less than one.
     Fraction: Bound::Included(0.0), Bound::Excluded(1.0);
-    /// Restitution that a spring and damper in parallel can have: 0.14 to 1.
+    /// Coefficients of restitution that a spring and damper in parallel can have: 0.14 to 1.
     Rebound: Bound::Included(0.14), Bound::Included(1.0);
-    /// How long a packing may take to come to rest, s: more than 0, at most 1000.
+    /// Times of a packing, s: more than 0, at most 1000.
     PackingTime: Bound::Excluded(0.0), Bound::Included(1000.0);
-    /// What ropes may take of the area of a net screen: 0 to 0.7.
+    /// Solidities of a net: 0 to 0.7.
     OpenShare: Bound::Included(0.0), Bound::Included(0.7);
-    /// Heights above the sea in which the standard atmosphere cools evenly: -1 km to 11 km.
+    /// Heights above sea level at which the standard atmosphere has its linear temperature profile: -1 km to 11 km.
     Troposphere: Bound::Included(-1000.0), Bound::Included(11000.0);
-    /// Heights above the ground at which profiles of the wind hold: 0 to 2 km.
+    /// Heights above the ground at which wind profiles are valid: 0 to 2 km.
     BoundaryLayer: Bound::Included(0.0), Bound::Included(2000.0);
-    /// More than nothing and less than half a turn: 0 to 180 deg.
+    /// Angles of more than 0 and less than 180 deg.
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
-    /// More than nothing and at most a turn: 0 to 360 deg.
+    /// Angles of more than 0 and at most 360 deg.
     WholeTurn: Bound::Excluded(0.0), Bound::Included(TAU);
-    /// From straight down to straight up: -90 deg to 90 deg.
+    /// Elevations from straight down to straight up: -90 deg to 90 deg.
     QuarterTurns: Bound::Included(-FRAC_PI_2), Bound::Included(FRAC_PI_2);
 }
 
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_schema_keeps_the_bounds() {
+    fn bounds_read_back_from_a_schema() {
         for interval in [Any::INTERVAL, NonNegative::INTERVAL, UpToOne::INTERVAL, BelowOne::INTERVAL] {
             let mut schema = Map::new();
             interval.write_schema(&mut schema);

@@ -1,12 +1,13 @@
-//! What the user wrote: a scenario in TOML, read, checked and typed.
+//! Reads a scenario in TOML, checks it and gives it a type.
 //!
 //! ```text
-//! text ──tree──▶ Written ──check, rules──▶ Diagnostics: everything wrong, with file, line and column
+//! text ──tree──▶ Written ──check, rules──▶ Diagnostics: all faults, with file, line and column
 //!                   └──────serde─────────▶ Scenario
 //! ```
 //!
-//! [`Document::read`] does all of it. [`Scenario`] and its types are the single source: the JSON Schema is derived from
-//! them, and the check walks that schema. Their documentation is what editors show.
+//! [`Document::read`] does all of it. [`Scenario`] and its types are the only list of keys: the JSON Schema is
+//! derived from them, and the check walks that schema. Their doc comments are the descriptions in the schema, which
+//! editors show.
 
 mod air;
 mod air_rules;

@@ -1,11 +1,11 @@
-//! The known name nearest to what was written.
+//! Finds the known name that is most similar to a misspelt one.
 
-/// The longest word that is looked for, in characters: comparing two takes the product of their lengths in time and
-/// memory, and what is longer is no slip of the pen.
+/// The longest word that is compared, in characters. Comparing two words takes time and memory in proportion to the
+/// product of their lengths, and a longer word is not a spelling mistake.
 const LONGEST: usize = 100;
 
-/// The candidate nearest to `word`: the same letters in another case, else at most a third of the letters changed. None
-/// for a word of more than 100 characters.
+/// The candidate most similar to `word`: it differs in case only, or in at most a third of its characters. `None`
+/// where there is none, and for a word of more than 100 characters.
 pub fn nearest<S: AsRef<str>>(word: &str, candidates: impl IntoIterator<Item = S>) -> Option<String> {
     let length = word.chars().take(LONGEST + 1).count();
     if length > LONGEST {
@@ -16,14 +16,12 @@ pub fn nearest<S: AsRef<str>>(word: &str, candidates: impl IntoIterator<Item = S
     let mut best: Option<(usize, String)> = None;
     for candidate in candidates {
         let candidate = candidate.as_ref();
-        // every character more or less is a change
+        // a difference in length is a lower bound of the number of changes
         if candidate.chars().take(length + allowed + 1).count().abs_diff(length) > allowed {
             continue;
         }
-        let changes = match candidate.to_lowercase() == lower_case {
-            true => 0,
-            false => strsim::damerau_levenshtein(word, candidate),
-        };
+        let differs_in_case_only = candidate.to_lowercase() == lower_case;
+        let changes = if differs_in_case_only { 0 } else { strsim::damerau_levenshtein(word, candidate) };
         if changes <= allowed && best.as_ref().is_none_or(|(fewest, _)| changes < *fewest) {
             best = Some((changes, candidate.to_string()));
         }
@@ -36,7 +34,7 @@ mod tests {
     use super::nearest;
 
     #[test]
-    fn a_slip_is_found_and_a_stranger_is_not() {
+    fn a_misspelt_word_is_found_and_another_word_is_not() {
         assert_eq!(nearest("sid", ["mesh", "side"]).as_deref(), Some("side"));
         assert_eq!(nearest("Side", ["sine", "side"]).as_deref(), Some("side"));
         assert_eq!(nearest("lengthsegment", ["side", "duration"]), None);

@@ -1,19 +1,19 @@
-//! Overrides, as after `--set`: `path=value` put into the tree of a scenario.
+//! Overrides, as after `--set`: puts `path=value` into the tree of a scenario.
 
 use toml::de::DeValue;
 
 use crate::path::{Path, Step};
 use crate::tree::{Entry, Node, Origin, Table, Tree, TreeFault, Value};
 
-/// The longest path of an override: what walks the tree recurses, and TOML itself stops at a like depth.
+/// Largest number of steps in the path of an override. Functions that walk the tree recurse; TOML has a similar limit.
 const DEEPEST: usize = 64;
 
 impl Tree {
-    /// Puts the override `path=value`, the one with place `place`, into the tree. The value is read as TOML, else
-    /// taken as a string.
+    /// Puts the override `path=value`, which is number `place` of the overrides, into the tree. A value that is not
+    /// TOML is taken as a string.
     ///
     /// # Errors
-    /// Where it has no `=`, or the path leads through something that is no table.
+    /// Where it has no `=`, or its path leads through a value that is neither table nor array.
     pub fn set(&mut self, text: &str, place: usize) -> Result<(), TreeFault> {
         let origin = Origin::Override(place);
         let fault = |message: String| TreeFault { origin: Origin::Override(place), message };
@@ -39,7 +39,7 @@ impl Tree {
         Ok(())
     }
 
-    /// The node at the end of `steps`, made where it is missing.
+    /// The node at the end of `steps`. Missing tables on the way are added.
     fn descend(&mut self, steps: &[Step], place: usize) -> Result<&mut Node, String> {
         let mut node = &mut self.root;
         let mut walked = Path::default();
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn an_override_that_leads_nowhere_says_so() {
+    fn an_override_with_an_impossible_path_is_refused() {
         let mut tree = Tree::parse("title = \"a\"\n[[tractors]]\ncorner = 3\n").unwrap();
         assert!(tree.set("launch.axial_speed", 0).unwrap_err().message.starts_with("expected path=value"));
         assert_eq!(

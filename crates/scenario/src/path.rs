@@ -17,7 +17,7 @@ pub struct Path(pub Vec<Step>);
 
 impl Path {
     /// Reads `tractors.0.corner`, `tractors[0].corner`, `points."knot 3"`. A step that is a whole number is an index
-    /// into an array or a key of a table, as the tree has it.
+    /// of an array or a key of a table, depending on the tree.
     pub fn parse(text: &str) -> Self {
         let mut steps = Vec::new();
         let mut rest = text;
@@ -37,17 +37,17 @@ impl Path {
         Self(steps)
     }
 
-    /// The path of what `key` names here.
+    /// The path of the value of `key` in the table at this path.
     pub fn key(&self, key: &str) -> Self {
         self.then(Step::Key(key.to_string()))
     }
 
-    /// The path of the element `index` here, from 0.
+    /// The path of element `index`, counted from 0, of the array at this path.
     pub fn index(&self, index: usize) -> Self {
         self.then(Step::Index(index))
     }
 
-    /// The path of the table or array that holds this one; the whole scenario's is its own.
+    /// The path of the table or array that holds this value. The parent of the empty path is the empty path.
     pub fn parent(&self) -> Self {
         Self(self.0[..self.0.len().saturating_sub(1)].to_vec())
     }
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_written_as_it_is_read() {
+    fn a_path_is_written_as_it_is_read() {
         assert_eq!(Path::parse("tractors.0.corner"), Path::parse("tractors[0].corner"));
         assert_eq!(Path::default().key("tractors").index(0).key("corner").to_string(), "tractors[0].corner");
         assert_eq!(Path::parse("points.\"knot.3\"").to_string(), "points.\"knot.3\"");

@@ -1,4 +1,4 @@
-//! A value with its dimension and the interval it lies in, both in its type.
+//! [`Quantity`]: a value whose type has its dimension and its interval.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -13,13 +13,13 @@ use crate::interval::{Any, Within};
 
 /// A finite value in the SI unit `U`, within the interval `I`.
 ///
-/// In a scenario it is a string with a unit ("2.5 m", "10 mm") or a bare number, which is SI.
+/// In a scenario it is a string with a unit ("2.5 m", "10 mm") or a bare number in SI units.
 pub struct Quantity<U, I = Any> {
     si: f64,
     marker: PhantomData<(U, I)>,
 }
 
-/// A mere number.
+/// A number without a dimension.
 pub type Number<I = Any> = Quantity<unit::One, I>;
 /// A length, m.
 pub type Length<I = Any> = Quantity<unit::Metre, I>;
@@ -86,7 +86,7 @@ impl<U, I> Quantity<U, I> {
     }
 }
 
-// by hand: derives would ask the markers for the same traits
+// not derived: derives would require the same traits of the markers
 impl<U, I> Clone for Quantity<U, I> {
     fn clone(&self) -> Self {
         *self
@@ -185,7 +185,7 @@ mod tests {
     use crate::interval::{NonNegative, Positive, QuarterTurns, UpToOne};
 
     #[test]
-    fn it_is_written_in_its_unit_with_the_fewest_digits() {
+    fn a_quantity_is_written_in_its_unit_with_the_fewest_digits() {
         assert_eq!(Length::<Any>::from_si(2.5).unwrap().to_string(), "2.5 m");
         assert_eq!(Length::<Any>::from_text("10 mm").unwrap().to_string(), "0.01 m");
         assert_eq!(Angle::<Any>::from_text("90 deg").unwrap().to_string(), "1.5707963267948966 rad");
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn the_interval_is_held() {
+    fn a_value_outside_the_interval_is_refused() {
         assert_eq!(
             Length::<Positive>::from_text("0 m").unwrap_err().to_string(),
             r#"expected a length greater than 0 such as "2.5 m", found "0 m""#
@@ -211,7 +211,7 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn what_is_written_reads_back_bit_for_bit(si in NORMAL | ZERO | SUBNORMAL) {
+        fn a_written_quantity_reads_back_bit_for_bit(si in NORMAL | ZERO | SUBNORMAL) {
             let length = Length::<Any>::from_si(si).unwrap();
             let back = Length::<Any>::from_text(&length.to_string()).unwrap();
             proptest::prop_assert_eq!(back.si().to_bits(), si.to_bits());

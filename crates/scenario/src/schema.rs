@@ -10,9 +10,9 @@ use serde_json::{Map, Value};
 use crate::path::Path;
 use crate::scenario::Scenario;
 
-/// The JSON Schema of a scenario. Beside the standard keywords it has `x-dimension` and `x-unit`, the kind and the SI unit of
-/// a quantity, `x-word`, a word that is allowed in place of the quantity, and `x-file`, which marks the name of a file. Bounds
-/// such as `minimum` are in the SI unit.
+/// The JSON Schema of a scenario. Beside the standard keywords it has `x-dimension` and `x-unit`, the kind and the SI
+/// unit of a quantity, `x-word`, a word that is allowed in place of the quantity, and `x-file`, which marks the name
+/// of a file. Bounds such as `minimum` are in the SI unit.
 pub fn schema() -> &'static Value {
     static SCHEMA: LazyLock<Value> = LazyLock::new(generate);
     &SCHEMA

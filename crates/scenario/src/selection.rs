@@ -1,4 +1,5 @@
-//! The nodes that a load, a drive or a break tie acts on: corners, tractors, nodes by their ids, feature points by name.
+//! The nodes that a load, a drive or a break tie acts on: corners, tractors, nodes by their ids, feature points by
+//! name.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! Reading a text file that somebody named: it may be a folder, another kind of file, or never end.
+//! Reads a text file that a user names. It refuses folders, files of another kind and devices that never end.
 
 use std::fs::File;
 use std::io::Read;
@@ -6,16 +6,16 @@ use std::path::Path;
 
 use crate::memory::in_words;
 
-/// The text of `file`, which may have `most` bytes.
+/// The text of `file`, which can have at most `most` bytes.
 ///
 /// # Errors
-/// Why it cannot be read, in words.
+/// The reason why it cannot be read, in words.
 pub(crate) fn read_text(file: &Path, most: f64) -> Result<String, String> {
     let opened = File::open(file).map_err(|error| error.to_string())?;
     let size = opened.metadata().map_or(0, |metadata| metadata.len());
     let mut bytes = Vec::new();
     if size as f64 <= most {
-        // a pipe or a device does not say how much it holds
+        // the size of a pipe or a device is unknown before reading
         opened.take(most as u64 + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     }
     if size.max(bytes.len() as u64) as f64 > most {
@@ -29,7 +29,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_too_large_is_refused_whether_it_says_its_size_or_not() {
+    fn a_file_that_is_too_large_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("text");
         std::fs::write(&file, "12345678").unwrap();
@@ -37,7 +37,7 @@ mod tests {
         assert_eq!(read_text(&file, 7.0).unwrap_err(), "it has more than 1 MB");
     }
 
-    /// It was read until the system killed the program.
+    /// Such a device was once read until the system killed the program.
     #[test]
     #[cfg(unix)]
     fn a_device_that_never_ends_is_refused() {

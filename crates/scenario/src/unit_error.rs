@@ -1,6 +1,6 @@
-//! Why a text is no number with a unit.
+//! Reasons why a text is not a number with a unit.
 
-/// Why a text is no number with a unit.
+/// Reasons why a text is not a number with a unit.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum UnitError {
     /// The text does not start with a number.
@@ -12,18 +12,18 @@ pub enum UnitError {
     /// No unit has this name.
     #[error("unknown unit {unit:?}{}", did_you_mean(nearest))]
     Unknown {
-        /// What stood there.
+        /// The text in its place.
         unit: String,
         /// A unit with a similar name.
         nearest: Option<String>,
     },
-    /// A sign where a unit should be.
+    /// Another character in the place of a unit.
     #[error("expected a unit at {0:?}")]
     Unit(String),
-    /// What follows `^` is no whole number from -9 to 9.
+    /// The text after `^` is not a whole number from -9 to 9.
     #[error("expected a whole number from -9 to 9 after \"^\"")]
     Exponent,
-    /// A product follows a division, which can be read in two ways.
+    /// A product after a division, which can be read in two ways.
     #[error("after a \"/\" a product can be read in two ways: give every divisor its own \"/\", such as \"kg/m/s\"")]
     Ambiguous,
     /// The value in SI exceeds the largest `f64`.

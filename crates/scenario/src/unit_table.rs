@@ -1,4 +1,4 @@
-//! The units that a scenario may use.
+//! The units that a scenario can use.
 //!
 //! Factors: SI brochure, 9th edition, table 8; NIST Special Publication 811, appendix B (feet, pounds).
 
@@ -8,7 +8,7 @@ use crate::exponents::Dimension;
 use crate::nearest::nearest;
 use crate::unit_error::UnitError;
 
-/// A unit that a scenario may use.
+/// A unit that a scenario can use.
 pub(crate) struct Unit {
     symbol: &'static str,
     /// Whether it takes prefixes such as `k`.
@@ -83,6 +83,9 @@ const PREFIXES: &[(&str, i32)] = &[
 ];
 
 /// The unit that `symbol` names, and the power of ten of its prefix.
+///
+/// # Errors
+/// [`UnitError::Unknown`] where no unit has this name.
 pub(crate) fn find(symbol: &str) -> Result<(&'static Unit, i32), UnitError> {
     if let Some(unit) = UNITS.iter().find(|unit| unit.symbol == symbol) {
         return Ok((unit, 0));
@@ -95,7 +98,7 @@ pub(crate) fn find(symbol: &str) -> Result<(&'static Unit, i32), UnitError> {
     with_prefix.ok_or_else(|| UnitError::Unknown { unit: symbol.to_string(), nearest: suggest(symbol) })
 }
 
-/// The unit with the nearest name: those people write first, then everything a prefix allows.
+/// The unit with the most similar name: first by full names, then among all units with their prefixes.
 fn suggest(symbol: &str) -> Option<String> {
     const FULL_NAMES: &[(&str, &str)] = &[
         ("met", "m"),

@@ -1,4 +1,4 @@
-//! Reading a number with its unit: `2.5 m`, `10 mm`, `1 kN/mm^2`, `8.3 1/s`, `145 g/m`, `30 deg`.
+//! Reads a number with its unit: `2.5 m`, `10 mm`, `1 kN/mm^2`, `8.3 1/s`, `145 g/m`, `30 deg`.
 //!
 //! ```text
 //! measure = number [unit]
@@ -6,15 +6,15 @@
 //! factor  = "1" | [prefix] symbol ["^" integer | superscripts]
 //! ```
 //!
-//! The digits of the number are shifted and multiplied in decimal before they become an `f64`, so that a unit that is a
-//! decimal multiple of an SI unit gives the nearest `f64` ("0.3 ms" is 0.0003, "1 ft" is 0.3048). Dividing by a unit
-//! that is no power of ten, and the units with an irrational factor, round once more.
+//! The digits of the number are shifted and multiplied in decimal before they become an `f64`. A unit that is a
+//! decimal multiple of an SI unit thus gives the nearest `f64` ("0.3 ms" is 0.0003, "1 ft" is 0.3048). There is one
+//! more rounding where a divisor is not a power of ten and for units with an irrational factor.
 
 use crate::exponents::Dimension;
 use crate::unit_error::UnitError;
 use crate::unit_table::{Unit, find};
 
-/// A number in SI and its dimension.
+/// A number in SI units and its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// The value in SI base units and radians; finite.
@@ -26,7 +26,7 @@ pub struct Measure {
 /// Reads a number with its unit.
 ///
 /// # Errors
-/// [`UnitError`] says what cannot be read.
+/// [`UnitError`] states the reason.
 pub fn parse(text: &str) -> Result<Measure, UnitError> {
     let (number, rest) = Number::take(text.trim())?;
     if rest.starts_with(',') {
@@ -45,7 +45,7 @@ struct Number {
 }
 
 impl Number {
-    /// Takes a number from the start of `text` and gives what follows it.
+    /// Takes a number from the start of `text`. The second value is the rest of the text.
     fn take(text: &str) -> Result<(Self, &str), UnitError> {
         let (negative, unsigned) = match text.strip_prefix('-') {
             Some(unsigned) => (true, unsigned),
@@ -77,7 +77,7 @@ fn take_exponent(text: &str) -> (i64, &str) {
     if digits.is_empty() {
         return (0, text);
     }
-    // far beyond any f64, yet far from overflow in the sums to come
+    // larger than the exponent of any f64, and small enough that sums do not overflow
     let exponent = digits.parse().map_or(1_000_000, |exponent: i64| exponent.min(1_000_000));
     (sign * exponent, rest)
 }
@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn a_minute_is_no_milli_inch() {
+    fn min_is_a_minute_and_not_a_milli_inch() {
         assert_eq!(parse("1 min").unwrap().dimension, parse("1 s").unwrap().dimension);
         assert_eq!(si("2 min"), 120.0);
     }
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_measure_says_why() {
+    fn a_text_that_is_not_a_measure_gives_the_reason() {
         for (text, expected) in [
             ("", UnitError::Number),
             ("m", UnitError::Number),

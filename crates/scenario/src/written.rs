@@ -1,4 +1,4 @@
-//! A scenario as it was written, before it has a type: the place to ask where something stands.
+//! A scenario as a tree of keys and values, before it is typed; diagnostics take their places from it.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -17,15 +17,15 @@ pub struct Written {
     pub files: FileSource,
     /// The overrides, such as `launch.axial_speed=60 m/s`.
     pub overrides: Vec<String>,
-    /// Its keys and values, overrides included.
+    /// Its keys and values, with the overrides.
     pub tree: Tree,
 }
 
 impl Written {
-    /// Reads `text` as TOML and puts the overrides in; also gives what is wrong with the overrides.
+    /// Reads the text of `source` as TOML and puts the overrides in. The second value is the faults of the overrides.
     ///
     /// # Errors
-    /// Everything in the text that is no TOML.
+    /// All faults of a text that is not TOML.
     pub(crate) fn parse(
         source: Source,
         files: FileSource,
@@ -41,12 +41,12 @@ impl Written {
         Ok((Self { source, files, overrides: overrides.to_vec(), tree }, found))
     }
 
-    /// Something wrong with the value at `path`; it is shown there, or at the nearest parent that was written.
+    /// A diagnostic about the value at `path`. It points to that value, or to its nearest parent in the text.
     pub fn at_value(&self, path: &Path, message: impl Into<String>) -> Diagnostic {
         self.diagnostic(path, message, &self.tree.origin(path))
     }
 
-    /// Something wrong with the key at `path`.
+    /// A diagnostic about the key at `path`.
     pub fn at_key(&self, path: &Path, message: impl Into<String>) -> Diagnostic {
         self.diagnostic(path, message, &self.tree.key_origin(path))
     }

@@ -1,4 +1,4 @@
-//! The scenario of the contract is read verbatim, and means what it says.
+//! The scenario `contract.toml` is read with its values, defaults, overrides and tractors that differ.
 
 mod common;
 
@@ -6,7 +6,7 @@ use common::{CONTRACT, parse};
 use netcast_scenario::{Canopy, Damping, Shape, Solid, Stow, Stowage, Web};
 
 #[test]
-fn it_means_what_it_says() {
+fn every_written_value_is_read() {
     let scenario = parse(CONTRACT, &[]).unwrap().scenario;
     assert_eq!(scenario.title, "The space web, launched as in the paper");
     let Web::Space(web) = &scenario.web else { panic!("{:?}", scenario.web) };
@@ -50,7 +50,7 @@ duration = 0.6
 ";
 
 #[test]
-fn what_is_left_out_is_as_the_contract_says() {
+fn keys_that_are_left_out_have_their_defaults() {
     let scenario = parse(LEAST, &[]).unwrap().scenario;
     assert_eq!(scenario.rope.damping(), Damping::Ratio(0.05));
     assert!(scenario.traction_rope.is_none() && scenario.tractor_solid(1).is_none());
@@ -70,7 +70,7 @@ fn an_override_changes_the_scenario() {
 }
 
 #[test]
-fn one_tractor_may_differ_in_what_it_says_and_only_in_that() {
+fn an_entry_in_tractors_changes_only_the_keys_that_it_has() {
     let text = format!(
         "{CONTRACT}
 [[tractors]]

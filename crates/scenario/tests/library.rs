@@ -1,5 +1,5 @@
-//! The library of materials: every value has its source and lies where physics and other sources allow it; a scenario
-//! takes from it what it does not say itself, and docs/materials.md shows what is in it.
+//! The library of materials: every value has a source and agrees with physics and other sources. A scenario takes the
+//! values that it does not state, and docs/materials.md shows all values.
 
 mod common;
 
@@ -7,11 +7,11 @@ use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_4;
 
 use common::parse;
-use netcast_scenario::library::{Fibre, RopeMaterial, Value, library};
+use netcast_scenario::library::{Fibre, Per, RopeMaterial, Value, library};
 use netcast_scenario::quantity::Quantity;
 use netcast_scenario::{Canopy, Diagnostics, resolved_toml};
 
-/// A value stripped of its type: what it is of, its sources with those of its scatter, whether it lies in its scatter.
+/// A value without its type: its name, its sources with those of its scatter, and whether it lies within its scatter.
 struct Checked {
     what: String,
     sources: Vec<String>,
@@ -70,7 +70,7 @@ fn every_value_has_a_source_and_lies_in_its_scatter() {
     }
 }
 
-/// A rope has air between its fibres, and fibres that do not lie along it.
+/// A rope has air between its fibres, and its fibres do not lie along it.
 #[test]
 fn no_rope_is_denser_stiffer_or_stronger_than_its_fibre() {
     for (name, rope) in &library().ropes {
@@ -90,7 +90,7 @@ fn no_rope_is_denser_stiffer_or_stronger_than_its_fibre() {
 }
 
 #[test]
-fn fibres_are_those_of_this_world() {
+fn fibres_have_plausible_density_modulus_and_strength() {
     for (name, fibre) in &library().fibres {
         assert!((900.0..8000.0).contains(&fibre.density.value.si()), "{name}");
         assert!((3e9..250e9).contains(&fibre.elastic_modulus()), "{name}: {} Pa", fibre.elastic_modulus());
@@ -106,9 +106,9 @@ fn fibres_are_those_of_this_world() {
     }
 }
 
-/// The axial stiffness that the source itself works out, as a multiple of d^2, Pa.
+/// Axial stiffness as the source itself computes it, over d^2, Pa.
 #[test]
-fn axial_stiffness_is_what_its_source_works_out() {
+fn axial_stiffness_agrees_with_the_value_of_its_source() {
     let published =
         [("nylon rope", 1.04e9), ("polyester rope", 4.32e9), ("UHMWPE rope", 32.5e9), ("LCP rope", 33.73e9)];
     for (name, published) in published {
@@ -117,9 +117,9 @@ fn axial_stiffness_is_what_its_source_works_out() {
     }
 }
 
-/// Ropes of the thickness of a net's, from makers' tables that the values are not fitted to.
+/// Ropes as thin as those of nets, from tables of makers that the values are not fitted to.
 #[test]
-fn thin_ropes_of_makers_tables_lie_in_the_scatter() {
+fn thin_ropes_in_tables_of_makers_lie_within_the_scatter() {
     let (inch, lb, lbf, ft) = (0.0254, 0.453_592_37, 4.448_221_6, 0.3048);
     // Industrial Rope, three-strand nylon: inch, lb a 100 ft, lbf
     let laid_nylon = [(0.25, 1.5, 1490.0), (0.3125, 2.5, 2300.0), (0.375, 3.5, 3340.0), (0.5, 6.5, 5750.0)]
@@ -154,7 +154,7 @@ duration = 0.1
 ";
 
 #[test]
-fn a_scenario_has_from_the_library_what_it_does_not_say() {
+fn a_scenario_takes_values_from_the_library_that_it_does_not_state() {
     let document = parse(NET, &[]).unwrap();
     let rope = &document.scenario.rope;
     // 585 kg/m^3, 207 MPa and five times that, of the square of the diameter, to three digits
@@ -168,7 +168,7 @@ fn a_scenario_has_from_the_library_what_it_does_not_say() {
     assert_eq!(thin.ropes["thin"].strength.unwrap().si(), 500.0);
     assert_eq!(thin.ropes["thin"].elastic_modulus.si(), 1.32e9);
     assert_eq!((thin.rope.elastic_modulus.si(), thin.rope.strength.unwrap().si()), (2e9, 3310.0));
-    // knots take their share of the library's strength
+    // the strength of the library suffices for a reduction by knots
     assert!(parse(NET, &["rope.knot_reduction=30 %"]).is_ok());
 }
 
@@ -185,7 +185,7 @@ fn a_resolved_scenario_does_not_need_the_library() {
 }
 
 #[test]
-fn a_cloth_is_half_its_fibre() {
+fn a_cloth_has_half_the_modulus_of_its_fibre() {
     let text = NET.replace("[web.square]\nside = 2\nmesh = 0.5", "[web.space]\nside = 2")
         + "[canopy.links]\nmaterial = \"aramid cloth\"\nthickness = \"0.12 mm\"\n";
     let scenario = parse(&text, &[]).unwrap().scenario;
@@ -202,7 +202,7 @@ fn wrong(text: &str, overrides: &[&str]) -> Vec<String> {
 }
 
 #[test]
-fn an_unknown_material_names_the_nearest_and_the_rest() {
+fn an_unknown_material_is_reported_with_the_known_materials() {
     let found = wrong(&NET.replace("nylon rope", "nylon rop"), &[]);
     let names: Vec<String> = library().ropes.keys().map(|name| format!("{name:?}")).collect();
     let expected = format!(
@@ -210,18 +210,18 @@ fn an_unknown_material_names_the_nearest_and_the_rest() {
         names.join(" or ")
     );
     assert_eq!(found, [expected]);
-    // a cloth is no rope
+    // the name of a cloth is not accepted for a rope
     assert!(wrong(NET, &["rope.material=aramid cloth"])[0].contains("expected \"LCP rope\" or"));
-    // without a material the values are asked for
+    // without a material the values are required
     let found = wrong(&NET.replace("material = \"nylon rope\"\n", ""), &[]);
     assert_eq!(found.len(), 2, "{found:#?}");
     assert!(found[0].contains("missing key `density`") && found[1].contains("missing key `elastic_modulus`"));
-    // what is wrong with a diameter is said once
+    // a faulty diameter is reported once
     assert_eq!(wrong(NET, &["rope.diameter=-4 mm"]).len(), 1);
 }
 
 #[test]
-fn a_material_that_changes_nothing_is_told() {
+fn a_material_without_effect_is_noted() {
     let notes = |overrides: &[&str]| parse(NET, overrides).unwrap().library.notes();
     let told = |notes: Vec<String>| notes.iter().any(|note| note.starts_with("rope.material changes nothing"));
     assert!(told(notes(&["rope.density=700", "rope.elastic_modulus=1 GPa", "rope.strength=1 kN"])));
@@ -283,17 +283,17 @@ fn shown<U: netcast_scenario::dimension::Measured, I>(value: &Quantity<U, I>) ->
     }
 }
 
-/// A row of a table: a value as its source gives it.
+/// A row of a table: a value as in its source.
 fn row<U: netcast_scenario::dimension::Measured, I>(
     of: &str,
     what: &str,
     value: &Value<Quantity<U, I>>,
     is_of_an_area: bool,
 ) -> String {
-    let per = match is_of_an_area {
-        false => "",
-        true if value.per.to_nominal_section() == 1.0 => " of π d² / 4",
-        true => " of d²",
+    let per = match value.per {
+        _ if !is_of_an_area => "",
+        Per::NominalSection => " of π d² / 4",
+        Per::DiameterSquared => " of d²",
     };
     let scatter = value.scatter.as_ref().map_or("–".to_owned(), |scatter| {
         format!("{} to {} ({})", shown(&scatter.from), shown(&scatter.to), scatter.sources.join(", "))
@@ -303,7 +303,7 @@ fn row<U: netcast_scenario::dimension::Measured, I>(
 }
 
 #[test]
-fn the_documentation_shows_what_is_in_it() {
+fn the_documentation_shows_every_value_of_the_library() {
     let page = include_str!("../../../docs/materials.md");
     let tables = tables();
     let missing: Vec<&str> = tables.split("\n\n").filter(|table| !page.contains(table.trim_end())).collect();

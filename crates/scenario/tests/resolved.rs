@@ -1,4 +1,4 @@
-//! The resolved scenario states every default and reads back bit for bit.
+//! A resolved scenario states every default and reads back bit for bit.
 
 mod common;
 

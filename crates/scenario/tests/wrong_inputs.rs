@@ -1,4 +1,5 @@
-//! Every fault is reported with its place, what was expected and the most similar known key, and all are reported at once.
+//! Every fault is reported with its place, what was expected and the most similar known key, and all are reported at
+//! once.
 
 mod common;
 

@@ -1,5 +1,4 @@
-//! Puts the values of the library into a scenario as it was written, wherever it says `material` and does not say the
-//! value itself.
+//! Puts values of the library into the tree of a scenario, in tables that have `material` and lack the value.
 
 use schemars::{Schema, SchemaGenerator, json_schema};
 
@@ -9,53 +8,54 @@ use crate::path::Path;
 use crate::quantity::{Density, Force, Length};
 use crate::tree::{Entry, Node, Table, Tree, Value};
 
-/// A value that a scenario has from the library.
+/// A value that the library supplies to a scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Taken {
     /// Its table, such as `ropes.border`.
     pub table: String,
     /// The name in the library.
     pub material: String,
-    /// The value's key.
+    /// The key of the value.
     pub key: &'static str,
     /// The value, as a scenario writes it.
     pub value: String,
-    /// Where the library has it from: short names of [`super::Library::sources`].
+    /// Short names of its sources in [`super::Library::sources`].
     pub sources: Vec<String>,
 }
 
-/// What the library gave to a scenario.
+/// The values that the library supplies to a scenario.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FromLibrary {
     /// The values, in the order of the scenario.
     pub taken: Vec<Taken>,
-    /// Tables that name a material and have all its values written beside it.
+    /// Tables with a material whose values are all written beside it, so that the material has no effect.
     pub idle: Vec<String>,
 }
 
 impl FromLibrary {
-    /// What a user may not have expected.
+    /// Notes to the user about materials that have no effect.
     pub fn notes(&self) -> Vec<String> {
         let note = |table: &String| format!("{table}.material changes nothing: all its values are written beside it");
         self.idle.iter().map(note).collect()
     }
 
-    /// The values as comments, to stand above a scenario in which they are written out; empty where there are none.
+    /// The values as comments, for the top of a scenario in which they are written out. Empty where there are none.
     pub fn comments(&self) -> String {
         let line = |one: &Taken| {
             let Taken { table, material, key, value, sources } = one;
             format!("# [{table}] {material}: {key} = {value} ({})\n", sources.join(", "))
         };
         let lines: String = self.taken.iter().map(line).collect();
-        match lines.is_empty() {
-            true => lines,
-            false => format!("# From the library of materials; its sources are in docs/materials.md:\n{lines}\n"),
+        if lines.is_empty() {
+            lines
+        } else {
+            format!("# From the library of materials; its sources are in docs/materials.md:\n{lines}\n")
         }
     }
 }
 
-/// Fills in what is not written, and tells what it was. Names that the library does not have are passed over: the
-/// check of the schema reports them.
+/// Fills in the values that are not written, and returns them. Unknown names are skipped: the check of the schema
+/// reports them.
 pub(crate) fn fill(tree: &mut Tree) -> FromLibrary {
     let mut filled = FromLibrary::default();
     let Value::Table(root) = &mut tree.root.value else { return filled };
@@ -72,22 +72,25 @@ pub(crate) fn fill(tree: &mut Tree) -> FromLibrary {
     filled
 }
 
-/// Key, value and sources of what the library says of a material in such a table.
+/// Key, value and sources of a value of a material.
 type Known = (&'static str, String, Vec<String>);
-type Of = fn(&str, &Table) -> Option<Vec<Known>>;
+/// Looks up the values of the material of this name for a table.
+type Lookup = fn(&str, &Table) -> Option<Vec<Known>>;
 
 impl FromLibrary {
-    fn fill_each(&mut self, tables: &mut Table, path: &Path, of: Of) {
+    fn fill_each(&mut self, tables: &mut Table, path: &Path, lookup: Lookup) {
         for Entry { key, node, .. } in &mut tables.0 {
             if let Value::Table(table) = &mut node.value {
-                self.fill(table, &path.key(key), of);
+                self.fill(table, &path.key(key), lookup);
             }
         }
     }
 
-    fn fill(&mut self, table: &mut Table, path: &Path, of: Of) {
+    fn fill(&mut self, table: &mut Table, path: &Path, lookup: Lookup) {
         let Some(Node { origin, value }) = table.get("material").cloned() else { return };
-        let Some((material, known)) = value.as_text().and_then(|name| Some((name, of(name, table)?))) else { return };
+        let Some((material, known)) = value.as_text().and_then(|name| Some((name, lookup(name, table)?))) else {
+            return;
+        };
         let before = self.taken.len();
         for (key, value, sources) in known {
             if table.get(key).is_none() {
@@ -114,12 +117,13 @@ fn rope(name: &str, table: &Table) -> Option<Vec<Known>> {
     Some(known)
 }
 
-/// A modulus, given in Pa, as people write it.
+/// A modulus, Pa, as text in GPa.
 fn gigapascals(modulus: f64) -> String {
     format!("{} GPa", three_digits(1e-9 * modulus))
 }
 
-/// The breaking load; none where the diameter, which decides it, cannot be read: that is reported elsewhere.
+/// The breaking load, which follows from the diameter. `None` where the diameter cannot be read; the check reports
+/// that.
 fn strength(material: &RopeMaterial, table: &Table) -> Option<Known> {
     let diameter = match &table.get("diameter")?.value {
         Value::String(text) => Length::<Positive>::from_text(text).ok()?,

@@ -1,5 +1,6 @@
-//! Ropes and cloths by name: `material = "nylon rope"`. What is known of each, from whom, and how it scatters, is in
-//! `materials.toml`; a rope's numbers are those of ropes, which are softer and weaker than their fibres.
+//! The library of materials: ropes and cloths by name, as in `material = "nylon rope"`. `materials.toml` has their
+//! values, sources and scatter. Values of a rope are measured on ropes, which are softer and weaker than their
+//! fibres.
 
 mod fill;
 
@@ -15,46 +16,46 @@ use serde::Deserialize;
 use crate::interval::{Positive, UpToOne};
 use crate::quantity::{Density, Number, Pressure};
 
-/// Everything that is known by name.
+/// The library of materials.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Library {
-    /// The sources by the short names that values give: author or maker, title, year, place.
+    /// Sources by their short names: author or maker, title, year, place.
     pub sources: BTreeMap<String, String>,
     /// Fibres, as yarns.
     pub fibres: BTreeMap<String, Fibre>,
-    /// Ropes, as `material` of a rope names them.
+    /// Ropes by name, for `material` of a rope.
     pub ropes: BTreeMap<String, RopeMaterial>,
-    /// Cloths, as `material` of a canopy names them.
+    /// Cloths by name, for `material` of a canopy.
     pub cloths: BTreeMap<String, ClothMaterial>,
 }
 
 impl Library {
-    /// What a rope or a cloth is; empty for a name that it does not have.
+    /// The summary of a rope or a cloth. Empty for an unknown name.
     pub fn summary(&self, material: &str) -> &str {
         let rope = self.ropes.get(material).map(|rope| &rope.summary);
         rope.or(self.cloths.get(material).map(|cloth| &cloth.summary)).map_or("", String::as_str)
     }
 }
 
-/// A value with where it is from.
+/// A value with its sources.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, bound = "Q: serde::de::DeserializeOwned")]
 pub struct Value<Q> {
     /// The value.
     pub value: Q,
-    /// What it is a multiple of; nothing is said for values that belong to no section.
+    /// The area that it is stated for. Values that belong to no area leave it out.
     #[serde(default)]
     pub per: Per,
     /// Short names of its sources.
     pub sources: Vec<String>,
-    /// How far other values lie from it.
+    /// The range of other values.
     pub scatter: Option<Scatter<Q>>,
-    /// What a user should know of it.
+    /// A remark for the user.
     pub note: Option<String>,
 }
 
-/// The least and the largest of the values that were found.
+/// The least and the largest value that was found.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, bound = "Q: serde::de::DeserializeOwned")]
 pub struct Scatter<Q> {
@@ -69,17 +70,17 @@ pub struct Scatter<Q> {
 /// The area that a rope's value is stated for; d is the nominal diameter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum Per {
-    /// The nominal section, pi d^2 / 4, as in a scenario.
+    /// The nominal section, pi d^2 / 4. Scenarios use it.
     #[default]
     #[serde(rename = "nominal section")]
     NominalSection,
-    /// d^2, as in catalogues.
+    /// d^2. Catalogues use it.
     #[serde(rename = "diameter squared")]
     DiameterSquared,
 }
 
 impl Per {
-    /// What a value is multiplied by to be one of the nominal section.
+    /// The factor that converts a value to the nominal section.
     pub fn to_nominal_section(self) -> f64 {
         match self {
             Self::NominalSection => 1.0,
@@ -88,11 +89,11 @@ impl Per {
     }
 }
 
-/// A fibre, as a yarn. Its modulus and strength are stated per mass: 1 N/tex is 10^6 N m/kg.
+/// A fibre, measured as a yarn. Its modulus and strength are stated over density: 1 N/tex is 10^6 N m/kg.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Fibre {
-    /// What it is.
+    /// A description.
     pub summary: String,
     /// Density, kg/m^3.
     pub density: Value<Density<Positive>>,
@@ -116,11 +117,11 @@ impl Fibre {
     }
 }
 
-/// A kind of rope. One of `elastic_modulus` and `stiffness` is known.
+/// A kind of rope. It has either `elastic_modulus` or `stiffness`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RopeMaterial {
-    /// What it is, and how it is made.
+    /// A description with its construction.
     pub summary: String,
     /// Its fibre.
     pub fibre: String,
@@ -135,8 +136,8 @@ pub struct RopeMaterial {
 }
 
 impl RopeMaterial {
-    /// Mass per length over the nominal section, kg/m^3; like the others to three digits, which is more than ropes
-    /// scatter.
+    /// Mass per length over the nominal section, kg/m^3. It is rounded to three digits, which is finer than the
+    /// scatter of ropes.
     pub fn nominal_density(&self) -> f64 {
         three_digits(self.density.per.to_nominal_section() * self.density.value.si())
     }
@@ -148,7 +149,7 @@ impl RopeMaterial {
         three_digits(direct.or(by_strength).unwrap_or(f64::NAN))
     }
 
-    /// Breaking load, N, of a rope of this diameter, m.
+    /// Breaking load, N, of a rope of the given diameter, m.
     pub fn breaking_load(&self, diameter: f64) -> f64 {
         three_digits(self.stress_at_break() * 0.25 * PI * diameter * diameter)
     }
@@ -158,34 +159,34 @@ impl RopeMaterial {
         self.strength.per.to_nominal_section() * self.strength.value.si()
     }
 
-    /// Where its modulus is from.
+    /// Short names of the sources of its modulus.
     pub fn modulus_sources(&self) -> &[String] {
         let direct = self.elastic_modulus.as_ref().map(|e| &e.sources);
         direct.or(self.stiffness.as_ref().map(|k| &k.sources)).map_or(&[], Vec::as_slice)
     }
 }
 
-/// A cloth, counted as solid fibre: its thickness is mass per area over the density of the fibre.
+/// A cloth, modelled as solid fibre: its thickness is mass per area over the density of the fibre.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClothMaterial {
-    /// What it is.
+    /// A description.
     pub summary: String,
     /// Its fibre, whose density it has.
     pub fibre: String,
-    /// The share of the fibre that lies along any one of its two directions. The crimp of the yarns, which makes a
-    /// cloth softer, is neglected.
+    /// The share of the fibre along each of its two directions. The crimp of the yarns, which makes a cloth softer, is
+    /// neglected.
     pub share: Number<UpToOne>,
 }
 
 impl ClothMaterial {
-    /// Elastic modulus, Pa, of the cloth pulled along its yarns: an upper bound.
+    /// Elastic modulus of the cloth along its yarns, Pa. It is an upper bound.
     pub fn elastic_modulus(&self, fibre: &Fibre) -> f64 {
         three_digits(self.share.si() * fibre.elastic_modulus())
     }
 }
 
-/// The library.
+/// The library of materials, read once.
 pub fn library() -> &'static Library {
     static LIBRARY: LazyLock<Library> =
         LazyLock::new(|| toml::from_str(include_str!("materials.toml")).expect("materials.toml: a test reads it"));

@@ -1,10 +1,10 @@
-//! What the tests of this crate share.
+//! Functions that the tests of this crate share.
 
 use std::path::Path;
 
 use netcast_scenario::{Diagnostics, Document, Source};
 
-/// The scenario of the contract, as it stands there.
+/// A scenario with most sections.
 #[allow(dead_code, reason = "not every test reads it")]
 pub const CONTRACT: &str = include_str!("../contract.toml");
 
