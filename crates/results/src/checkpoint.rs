@@ -1,13 +1,13 @@
-//! `checkpoint`: a run as it stands, so that it can go on.
+//! `checkpoint`: the file from which a run can go on.
 //!
 //! ```text
 //! magic          "netcast restart1"
-//! block          which program wrote it, for which inputs, by postcard
-//! block          the snapshot, the state of all measures, how far the files had come; by postcard
+//! block          program that wrote it, hash of the inputs; by postcard
+//! block          snapshot, state of all measures, lengths of the files; by postcard
 //! ```
 //!
-//! Blocks carry their length and a checksum; see `sealed.rs`. The file is replaced as a whole, after history and
-//! fields have been synced: they reach at least as far as the checkpoint says.
+//! Blocks have their length and a checksum; see `sealed.rs`. The file is replaced as a whole, after history and fields
+//! have been synced: both are at least as long as the checkpoint says.
 
 use std::borrow::Cow;
 use std::fs::{self, File};
@@ -22,17 +22,17 @@ use crate::measures::Measures;
 use crate::stream::Written;
 use crate::{ResultError, sealed, whole};
 
-/// The first bytes of a checkpoint; the last is the number of the format of its first block.
+/// The first bytes of a checkpoint; the last one is the version of the format of the first block.
 const MAGIC: &[u8; 16] = b"netcast restart1";
 
-/// How often a run is checkpointed. It cannot change the results. A checkpoint falls on the next record.
+/// How often a checkpoint is written. A checkpoint is written at the next record and does not change the results.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CheckpointEvery {
-    /// Not unless the run is interrupted.
+    /// Only when the run is interrupted.
     Never,
-    /// Whenever so much time has been simulated, s.
+    /// After each interval of simulated time, s.
     Simulated(f64),
-    /// Whenever so much time has passed on the clock.
+    /// After each interval on the clock.
     Clock(Duration),
 }
 
@@ -42,22 +42,22 @@ impl Default for CheckpointEvery {
     }
 }
 
-/// A run as it stands.
+/// All that a run needs to go on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
-    /// Time that was simulated, s.
+    /// Simulated time, s.
     pub time_s: f64,
-    /// Time that this took on the clock, s.
+    /// Time that the run has taken on the clock, s.
     pub wall_time_s: f64,
-    /// Where the simulation stands.
+    /// State of the simulation.
     pub snapshot: Cow<'a, Snapshot>,
-    /// Where the measures stand.
+    /// State of the measures.
     pub measures: Cow<'a, Measures>,
-    /// How far the files had come.
+    /// Lengths of the files.
     pub written: Written,
 }
 
-/// Whose checkpoint it is.
+/// The program and the inputs that a checkpoint belongs to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Origin {
     program: String,
@@ -65,12 +65,12 @@ struct Origin {
 }
 
 impl Checkpoint<'_> {
-    /// Time that this took on the clock; none where what was read makes no sense.
+    /// Time that the run has taken on the clock; zero if the stored number is not a duration.
     pub fn wall_time(&self) -> Duration {
         Duration::try_from_secs_f64(self.wall_time_s).unwrap_or_default()
     }
 
-    /// Writes the checkpoint of a run of the inputs with this hash to `path`, whole or not at all.
+    /// Writes the checkpoint to `path`, completely or not at all. `input_hash` is the hash of the run's inputs.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -89,16 +89,16 @@ impl Checkpoint<'_> {
         Ok(())
     }
 
-    /// Reads the checkpoint at `path` with the hash of the inputs that it is for.
+    /// Reads the checkpoint at `path`; returns it with the hash of its inputs.
     ///
     /// # Errors
-    /// [`ResultError::Read`], [`ResultError::NotCheckpoint`] where it is damaged, [`ResultError::OtherProgram`] where
-    /// this program may compute other bits than the one that wrote it.
+    /// [`ResultError::Read`]; [`ResultError::NotCheckpoint`] if it is damaged; [`ResultError::OtherProgram`] if another
+    /// version of the program wrote it, which may compute other bits.
     pub fn read(path: &Path) -> Result<(Checkpoint<'static>, String), ResultError> {
         Self::from_bytes(&fs::read(path).map_err(ResultError::read(path))?, path)
     }
 
-    /// Reads a checkpoint from what its file at `path` holds.
+    /// Reads a checkpoint from the bytes of its file at `path`.
     ///
     /// # Errors
     /// As [`Checkpoint::read`].
@@ -115,7 +115,7 @@ impl Checkpoint<'_> {
     }
 }
 
-/// The next block.
+/// Content of the next block; none if it is cut short or damaged.
 fn block(rest: &mut &[u8]) -> Option<Vec<u8>> {
     let mut content = Vec::new();
     let left = rest.len() as u64;
@@ -123,7 +123,7 @@ fn block(rest: &mut &[u8]) -> Option<Vec<u8>> {
     sealed::read(rest, left, &mut content).ok().filter(|whole| *whole).map(|_| content)
 }
 
-/// This program: bits are promised for one version, built from one revision.
+/// Name, version and revision of this program: only the same revision is sure to compute the same bits.
 fn program() -> String {
     let version = concat!("netcast ", env!("CARGO_PKG_VERSION"));
     option_env!("NETCAST_REVISION").map_or(version.to_owned(), |revision| format!("{version} ({revision})"))

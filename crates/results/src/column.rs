@@ -1,22 +1,22 @@
-//! A column of `history.csv`: its name, what it holds, and how a record's value is found.
+//! A column of `history.csv`: name, definition, and the function that reads its value from a record.
 
 use crate::quantity::Dimension;
 
 /// A column of the history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Column {
-    /// Its name; `{}` stands for the point, link class or energy channel that it is of.
+    /// Name; `{}` stands for a point, a link class or an energy channel.
     pub name: &'static str,
-    /// What kind of value it holds.
+    /// Kind of value, which gives the unit.
     pub dimension: Dimension,
-    /// What it holds, in a sentence.
+    /// Definition, in a sentence.
     pub definition: &'static str,
-    /// Title of its figure in the report and name of its curve there; none where it shares a figure with others or has
-    /// none.
+    /// Title of its own figure in the report and name of its curve there; none for a column that shares a figure or
+    /// has none.
     pub figure: Option<(&'static str, &'static str)>,
 }
 
-/// A column with its value in a record of what it is of.
+/// A column and the function that reads its value from a record of type `T`.
 pub type ColumnOf<T> = (Column, fn(&T) -> Option<f64>);
 
 impl Column {
@@ -24,12 +24,12 @@ impl Column {
         Self { name, dimension, definition, figure: None }
     }
 
-    /// With a figure of its own in the report.
+    /// The same column with a figure of its own in the report.
     pub(crate) const fn drawn(self, title: &'static str, curve: &'static str) -> Self {
         Self { figure: Some((title, curve)), ..self }
     }
 
-    /// Its name for one of the things that it is of.
+    /// Name for one point, link class or energy channel.
     pub fn name_of(&self, thing: &str) -> String {
         self.name.replace("{}", thing)
     }

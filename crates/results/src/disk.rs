@@ -1,13 +1,13 @@
-//! How much room a disk has. A run that fills it loses what it computes last.
+//! Free space on the disk, checked before a run: a run that fills the disk loses the last of its results.
 
 use std::path::Path;
 
 use crate::ResultError;
 
-/// Refuses to write `bytes` to `target` where its disk has less room than that.
+/// Requires that the disk of `target` has room for another `bytes` bytes.
 ///
 /// # Errors
-/// [`ResultError::DiskTooSmall`]. Where the room cannot be told, there is none.
+/// [`ResultError::DiskTooSmall`]; none where the system does not tell the free space.
 pub fn require_room(target: &Path, bytes: f64) -> Result<(), ResultError> {
     match available(target) {
         Some(available) if available < bytes => {
@@ -17,7 +17,7 @@ pub fn require_room(target: &Path, bytes: f64) -> Result<(), ResultError> {
     }
 }
 
-/// Bytes that this user can still write beside `path`, whose last parts may not exist yet.
+/// Bytes that this user can still write at `path`; the last parts of the path need not exist yet.
 fn available(path: &Path) -> Option<f64> {
     let path = std::path::absolute(path).ok()?;
     let existing = path.ancestors().find(|ancestor| ancestor.exists())?;
@@ -27,7 +27,7 @@ fn available(path: &Path) -> Option<f64> {
 #[cfg(unix)]
 fn room(path: &Path) -> Option<f64> {
     let disk = rustix::fs::statvfs(path).ok()?;
-    // what is no disk, such as /proc, has no blocks at all
+    // a file system without a disk, such as /proc, has zero blocks
     (disk.f_blocks > 0).then_some(disk.f_bavail as f64 * disk.f_frsize as f64)
 }
 
@@ -42,7 +42,7 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn no_disk_holds_everything() {
+    fn a_byte_fits_and_1e24_bytes_do_not() {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join("not/there/yet");
         assert!(require_room(&target, 1.0).is_ok());

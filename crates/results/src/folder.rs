@@ -1,32 +1,32 @@
-//! The names of what a result folder holds.
+//! Names of the files and folders in a result folder.
 
-/// The scenario as resolved, with the files it names.
+/// The resolved scenario, with the files it names.
 pub const INPUTS: &str = "inputs";
-/// The run in numbers.
+/// The numbers of the run.
 pub const SUMMARY: &str = "summary.json";
 /// The table of a comparison.
 pub const SUMMARY_CSV: &str = "summary.csv";
-/// One row a record step.
+/// One row for each record step.
 pub const HISTORY: &str = "history.csv";
 /// Every node and rope at every record step.
 pub const FIELDS: &str = "fields.vtkhdf";
-/// What of the fields has a meaning.
+/// Names of nodes and segments in the fields.
 pub const LANDMARKS: &str = "landmarks.json";
-/// The page to look at.
+/// The report as an HTML page.
 pub const REPORT: &str = "report.html";
-/// Pictures for documents, where they were asked for.
+/// Pictures for documents, where the user asked for them.
 pub const PICTURES: &str = "pictures";
-/// Who ran what, where and when.
+/// Program, inputs, machine and time of the run.
 pub const MANIFEST: &str = "manifest.json";
 
-/// The run as it stands, where it did not end.
+/// The state from which a run that did not end can go on.
 pub const CHECKPOINT: &str = "checkpoint";
-/// The fields of a run that is under way.
+/// The fields of a run that has not ended.
 pub const FIELDS_PART: &str = "fields.part";
-/// What marks the folder of a run that is under way, and keeps other runs out.
+/// The lock that a run holds on its folder, which keeps other runs out.
 pub const LOCK: &str = "lock";
 
-/// All that a result folder may hold of ours, the folders of a comparison's designs apart.
+/// All names that netcast writes into a result folder, except for the folders of the designs of a comparison.
 pub const OURS: [&str; 12] = [
     INPUTS,
     SUMMARY,

@@ -1,8 +1,8 @@
-//! Places and areas of a few nodes.
+//! Mean position of some nodes and vector area of a polygon.
 
 use glam::DVec3;
 
-/// Half the sum of r_i x r_(i+1) over a closed polygon, m^2.
+/// Vector area of a closed polygon, m^2: half the sum of r_i x r_(i+1) over its vertices r_i, m.
 pub(crate) fn vector_area(mut vertices: impl Iterator<Item = DVec3>) -> DVec3 {
     let Some(first) = vertices.next() else { return DVec3::ZERO };
     let mut sum = DVec3::ZERO;
@@ -15,7 +15,7 @@ pub(crate) fn vector_area(mut vertices: impl Iterator<Item = DVec3>) -> DVec3 {
     0.5 * sum
 }
 
-/// Mean of `of` over some nodes.
+/// Mean of `of` over `nodes`, which must not be empty.
 pub(crate) fn mean(nodes: &[usize], of: impl Fn(usize) -> DVec3) -> DVec3 {
     match nodes {
         [node] => of(*node),
@@ -28,7 +28,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_area_of_a_tilted_rectangle_far_away() {
+    fn a_tilted_rectangle_far_from_the_origin_has_its_area() {
         let (along, across) = (DVec3::new(3.0, 0.0, 4.0), DVec3::new(0.0, 2.0, 0.0));
         let far = DVec3::new(1e6, -2e6, 3e6);
         let area = vector_area([far, far + along, far + along + across, far + across].into_iter());

@@ -1,7 +1,7 @@
-//! `history.csv`: one row a record step.
+//! `history.csv`: one row for each record step.
 //!
-//! Numbers are the shortest decimals that read back to the same bits; an empty cell is a quantity that the scenario
-//! does not have. `row.rs` has the columns in their order.
+//! Numbers are the shortest decimals that read back to the same bits. A cell is empty if the scenario does not have the
+//! quantity. `row.rs` lists the columns in order.
 
 use std::path::Path;
 
@@ -23,7 +23,7 @@ impl History {
     /// Appends a row.
     ///
     /// # Errors
-    /// [`ResultError::Length`] where the row has not one cell a column.
+    /// [`ResultError::Length`] if the row does not have one cell for each column.
     pub fn push(&mut self, row: Vec<Option<f64>>) -> Result<(), ResultError> {
         ResultError::length("a row of the history", self.columns.len(), row.len())?;
         self.rows.push(row);
@@ -35,17 +35,17 @@ impl History {
         &self.columns
     }
 
-    /// The rows, in order of time; each has one cell a column.
+    /// The rows, in order of time. Shape (rows, columns).
     pub fn rows(&self) -> &[Vec<Option<f64>>] {
         &self.rows
     }
 
-    /// Where the column of this name stands.
+    /// Index of the column of this name.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column == name)
     }
 
-    /// The cells of the column of this name, in order of time.
+    /// The cells of the column of this name, in order of time; none without such a column.
     pub fn values(&self, name: &str) -> Option<impl Iterator<Item = Option<f64>> + '_> {
         let column = self.column(name)?;
         Some(self.rows.iter().map(move |row| row[column]))
@@ -54,7 +54,7 @@ impl History {
     /// Writes the table to `path`.
     ///
     /// # Errors
-    /// [`ResultError::Csv`] where the file cannot be written.
+    /// [`ResultError::Csv`] or [`ResultError::Write`] if the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), ResultError> {
         let mut writer = csv::Writer::from_path(path).map_err(ResultError::csv(path))?;
         writer.write_record(&self.columns).map_err(ResultError::csv(path))?;
@@ -67,7 +67,7 @@ impl History {
     /// Reads a table from `path`.
     ///
     /// # Errors
-    /// [`ResultError::Csv`] where the table is malformed, [`ResultError::NotANumber`] with the place of the cell.
+    /// [`ResultError::Csv`] if the table is malformed; [`ResultError::NotANumber`] with line and column of the cell.
     pub fn read(path: &Path) -> Result<Self, ResultError> {
         let mut reader = csv::Reader::from_path(path).map_err(ResultError::csv(path))?;
         let header = reader.headers().map_err(ResultError::csv(path))?;
@@ -89,12 +89,12 @@ impl History {
     }
 }
 
-/// The cells of a row as they stand in the file.
+/// The cells of a row as text for the file.
 pub(crate) fn cells(row: &[Option<f64>]) -> impl Iterator<Item = String> {
     row.iter().map(|cell| cell.map(decimal).unwrap_or_default())
 }
 
-/// The shortest decimal that reads back to the same bits, with an exponent only below 1e-5 and from 1e16 on.
+/// The shortest decimal that reads back to the same bits; with an exponent only below 1e-5 and from 1e16 on.
 pub(crate) fn decimal(value: f64) -> String {
     let mut text = format!("{value:?}");
     if text.ends_with(".0") {
@@ -103,7 +103,7 @@ pub(crate) fn decimal(value: f64) -> String {
     text
 }
 
-/// A cell as a number, or its text where it is none.
+/// The number in a cell; the error is the text of a cell that is not a number.
 fn parse(cell: &str) -> Result<Option<f64>, String> {
     if cell.is_empty() {
         return Ok(None);
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_reads_back_to_the_last_bit() {
+    fn a_history_reads_back_to_the_last_bit() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
         let mut history = History::new(vec!["time_s".into(), "B_speed_m_s".into()]);

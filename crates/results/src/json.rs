@@ -1,4 +1,4 @@
-//! JSON files, read with the key that cannot be read.
+//! Reader of JSON files whose errors name the key.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, ResultError> {
     Ok(value)
 }
 
-/// Takes what the file at `path` holds out of its values.
+/// Converts the values of the file at `path` into a `T`.
 ///
 /// # Errors
 /// [`ResultError::Json`] with the key.
@@ -35,7 +35,7 @@ where
     D: Deserializer<'de, Error = serde_json::Error>,
 {
     serde_path_to_error::deserialize(deserializer).map_err(|error| {
-        // `?` stands for what cannot even be named, `.` for the whole file
+        // serde_path_to_error writes `?` for a place without a key and `.` for the whole file
         let key = error.path().to_string();
         let key = key.trim_end_matches(['?', '.']);
         let key = if key.is_empty() { String::new() } else { format!("{key}: ") };

@@ -1,7 +1,7 @@
-//! What of a system has a meaning: the launch axis, the outline, corners, tractors, feature points, link classes.
+//! Names of the parts of a system: launch axis, outline, corners, tractors, feature points, link classes.
 //!
-//! The system itself knows nodes and segments by number only. Who makes the system says here what they are.
-//! `landmarks.json` keeps it beside the fields, whose numbers it explains.
+//! The system has only numbers of nodes and segments. The builder of the system names them here, and
+//! `landmarks.json` keeps the names beside the fields.
 
 use std::fs;
 use std::path::Path;
@@ -12,22 +12,22 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::{mean, vector_area};
 use crate::{ResultError, json};
 
-/// What is followed under one name: a point, or a group of them.
+/// A named point of the results, or a named group of points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Landmark {
-    /// Its name in the results, such as "B" or "tractor".
+    /// Name in the results, such as "B" or "tractor".
     pub name: String,
-    /// The nodes whose mean it is; not empty.
+    /// The nodes; the position is their mean. Not empty.
     pub nodes: Vec<usize>,
-    /// Whether its nodes are points of their own, as tractors are. The speed of a group is the mean of its speeds;
-    /// that of a point is the speed of its mean.
+    /// Whether the nodes are points of their own, such as tractors. The speed of a group is the mean of the speeds of
+    /// its nodes; the speed of a point is the speed of the mean of its nodes.
     pub is_group: bool,
-    /// The segments of rope that meet there.
+    /// The rope segments that meet at its nodes.
     pub segments: Vec<usize>,
 }
 
 impl Landmark {
-    /// Its speed, m/s.
+    /// Speed, m/s; `velocity` gives the velocity of a node, m/s.
     pub fn speed(&self, velocity: impl Fn(usize) -> DVec3) -> f64 {
         if self.is_group {
             self.nodes.iter().map(|&n| velocity(n).length()).sum::<f64>() / self.nodes.len() as f64
@@ -37,14 +37,14 @@ impl Landmark {
     }
 }
 
-/// A link class.
+/// A link class: what tensions are reported by.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LinkClass {
-    /// Its name in the results.
+    /// Name in the results.
     pub name: String,
-    /// Whether it is made of ropes; canopy members are not, and do not count for the largest tension.
+    /// Whether it is made of ropes. Canopy members are not ropes and do not count for the largest tension.
     pub is_rope: bool,
-    /// Strength of its weakest rope, N, where one is given.
+    /// Strength of its weakest rope, N, where the scenario gives one.
     #[serde(rename = "strength_n")]
     pub strength: Option<f64>,
 }
@@ -52,38 +52,38 @@ pub struct LinkClass {
 /// A kind of rope by the name that the scenario gives it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NamedRope {
-    /// `rope` for the default one, else the name of its table.
+    /// `rope` for the default rope, else the name of its table.
     pub name: String,
     /// Breaking load, N, where it is given.
     #[serde(rename = "strength_n")]
     pub strength: Option<f64>,
-    /// The share of its strength that knots take from it, where it is given.
+    /// Share of the strength that is lost at knots, where the scenario gives one.
     pub knot_reduction: Option<f64>,
 }
 
-/// Segments of one link class that are made of one kind of rope: what the system has as a class.
+/// Segments of one link class that are made of one kind of rope.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Group {
     /// Index into [`Landmarks::classes`].
     pub class: usize,
-    /// Index into [`Landmarks::ropes`]; none for members that are no ropes.
+    /// Index into [`Landmarks::ropes`]; none for members that are not ropes.
     pub rope: Option<usize>,
 }
 
 /// A canopy, to be drawn.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CanopyMark {
-    /// The node in its middle.
+    /// The node at its middle.
     pub hub: usize,
     /// The nodes at its corners, in order.
     pub rim: Vec<usize>,
-    /// Its triangles, where it is a sheet.
+    /// Its triangles if it is a sheet, else empty. Shape (triangles, 3).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub triangles: Vec<[usize; 3]>,
 }
 
 impl CanopyMark {
-    /// What to draw of it, as closed loops of nodes: its triangles, or else its rim.
+    /// Closed loops of nodes to draw: the triangles of a sheet, else the rim.
     pub fn loops(&self) -> Vec<&[usize]> {
         if self.triangles.is_empty() {
             vec![&self.rim]
@@ -92,7 +92,7 @@ impl CanopyMark {
         }
     }
 
-    /// What to fill of it: its triangles, or else those between its hub and its rim.
+    /// Triangles to fill: those of a sheet, else those between hub and rim. Shape (triangles, 3).
     pub fn faces(&self) -> Vec<[usize; 3]> {
         let Self { hub, rim, triangles } = self;
         if triangles.is_empty() {
@@ -103,33 +103,33 @@ impl CanopyMark {
     }
 }
 
-/// What a body is there for.
+/// The purpose of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BodyKind {
-    /// Pulls the web out.
+    /// Tractor: pulls the web out.
     Tractor,
-    /// Is carried.
+    /// Payload: is carried by the web.
     Payload,
-    /// Sits in the middle.
+    /// Sensor: sits in the middle of the web.
     Sensor,
 }
 
 /// A body that the web carries, to be drawn.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BodyMark {
-    /// What it is there for.
+    /// Purpose.
     pub kind: BodyKind,
-    /// The node that it sits on.
+    /// The node on which it sits.
     pub node: usize,
-    /// What it fills.
+    /// Shape and size.
     pub shape: BodyShape,
-    /// Which of the system's rigid bodies it is, whose orientations the fields have; none for a mass on a node, which is
-    /// drawn along the launch axis.
+    /// Index of the system's rigid body, whose orientation the fields hold; none for a mass on a node, which is drawn
+    /// along the launch axis.
     pub rigid: Option<usize>,
 }
 
-/// What a body fills; its height is along its z axis.
+/// Shape and size of a body; its height is along its own z axis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BodyShape {
@@ -150,12 +150,12 @@ pub enum BodyShape {
         /// Size along its axes x, y, z, m.
         size_m: [f64; 3],
     },
-    /// Nothing.
+    /// A point without size.
     Particle,
 }
 
 impl BodyShape {
-    /// Its size along its axes x, y, z, m; 0 for a particle.
+    /// Size along its own axes x, y, z, m; 0 for a particle.
     pub fn size_m(&self) -> [f64; 3] {
         match *self {
             Self::Cylinder { diameter_m, height_m } => [diameter_m, diameter_m, height_m],
@@ -166,52 +166,52 @@ impl BodyShape {
     }
 }
 
-/// The meanings of a system's nodes and segments.
+/// Names of a system's nodes and segments.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Landmarks {
     /// The launch axis, a unit vector in the world frame.
     pub axis: DVec3,
-    /// Height of the ground, m; none where there is none.
+    /// Height of the ground, m; none without a ground.
     #[serde(default, rename = "ground_m")]
     pub ground: Option<f64>,
-    /// The closed outline; each vertex the mean of its nodes. Empty where there is none.
+    /// The closed outline: the nodes of each vertex, which lies at their mean. Empty without an outline.
     pub outline: Vec<Vec<usize>>,
-    /// Area of the outline of the flat web along the axis, m^2.
+    /// Area inside the outline of the flat web, seen along the axis, m^2.
     #[serde(rename = "reference_area_m2")]
     pub reference_area: Option<f64>,
-    /// How far the middle of the flat web lies above its outline along the axis, m; zero for a plane web.
+    /// Distance by which the middle of the flat web leads its outline along the axis, m; zero for a plane web.
     #[serde(rename = "flat_posture_m")]
     pub flat_posture: f64,
-    /// The corners of the web, where tractors are tied.
+    /// The nodes of the corners, where tractors are tied.
     pub corners: Vec<usize>,
-    /// The points by which the symmetry of the mouth is judged: its corners, or without corners the vertices of its
-    /// outline; each the mean of its nodes.
+    /// The points that measure the symmetry of the mouth: the corners, or without corners the vertices of the outline.
+    /// Each lies at the mean of its nodes.
     pub mouth: Vec<Vec<usize>>,
-    /// The distance of each of these from their mean in the flat web, m.
+    /// Distance of each point of `mouth` from the mean of these points in the flat web, m. Shape (points of the mouth,).
     #[serde(rename = "mouth_reach_m")]
     pub mouth_reach: Vec<f64>,
-    /// The cells of the web: closed loops of nodes. Empty where the web cannot be drawn in a plane without crossings.
+    /// The cells of the web: closed loops of nodes. Empty for a web whose ropes cross when it is drawn in a plane.
     pub cells: Vec<Vec<usize>>,
-    /// Diameter of the target that the web is measured against, m, where one is stated.
+    /// Diameter of the target, m, where the scenario gives one.
     #[serde(rename = "target_diameter_m")]
     pub target_diameter: Option<f64>,
-    /// The tractors, in order around the web.
+    /// The nodes of the tractors, in order around the web.
     pub tractors: Vec<usize>,
-    /// The web's centre is the mean of these nodes.
+    /// The nodes whose mean is the web's centre.
     pub centre: Vec<usize>,
     /// Feature points, then tractor, corner and centre, each where it exists.
     pub points: Vec<Landmark>,
-    /// The segments of rope that meet the bottom, point B.
+    /// The rope segments that meet at the bottom, point B.
     pub bottom: Vec<usize>,
     /// Link classes.
     pub classes: Vec<LinkClass>,
     /// Kinds of rope.
     pub ropes: Vec<NamedRope>,
-    /// Class and rope of the system's class numbers, in their order.
+    /// Link class and rope of each group of the system, in the order of the groups. Shape (groups,).
     pub groups: Vec<Group>,
     /// Canopies, to be drawn.
     pub canopies: Vec<CanopyMark>,
-    /// What the cloth of canopies that are sheets bears, Pa, where it is given.
+    /// Strength of the cloth of the canopies, Pa, where the scenario gives one.
     #[serde(default, rename = "cloth_strength_pa")]
     pub cloth_strength: Option<f64>,
     /// Tractors, payloads and sensors, to be drawn.
@@ -219,7 +219,7 @@ pub struct Landmarks {
 }
 
 impl Landmarks {
-    /// Names under which a summary has a point, whether the web has it or not.
+    /// Names of points that every summary has, also for a web without such a point.
     pub const ALWAYS_NAMED: [&str; 7] = ["A", "B", "C", "D", "tractor", "corner", "centre"];
 
     /// Writes them to `path`.
@@ -239,7 +239,7 @@ impl Landmarks {
         json::read(path)
     }
 
-    /// Every node that is named, one or more times.
+    /// Every node that has a name; a node may occur several times.
     pub fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
         let groups = self.outline.iter().chain(&self.mouth).chain(&self.cells).chain([&self.corners, &self.centre]);
         let points = self.points.iter().flat_map(|point| &point.nodes);
@@ -249,13 +249,13 @@ impl Landmarks {
         groups.flatten().chain(&self.tractors).chain(points).chain(canopies).chain(sheets).chain(bodies).copied()
     }
 
-    /// Vector area of the outline, m^2; none where there is no outline.
+    /// Vector area of the outline, m^2; none without an outline. `position` gives the position of a node, m.
     pub fn outline_area(&self, position: impl Fn(usize) -> DVec3) -> Option<DVec3> {
         let vertices = self.outline.iter().map(|nodes| mean(nodes, &position));
         (!self.outline.is_empty()).then(|| vector_area(vertices))
     }
 
-    /// Vector area of the outline, m^2, and the mean of its vertices, m; there must be an outline.
+    /// Vector area of the outline, m^2, and mean of its vertices, m. The outline must not be empty.
     pub fn outline_area_and_middle(&self, position: impl Fn(usize) -> DVec3) -> (DVec3, DVec3) {
         let mut sum = DVec3::ZERO;
         let vertices = self.outline.iter().map(|nodes| mean(nodes, &position)).inspect(|vertex| sum += *vertex);
@@ -263,8 +263,8 @@ impl Landmarks {
         (area, sum / self.outline.len() as f64)
     }
 
-    /// How far the middle leads the outline along the axis, over the square root of the reference area, both from the
-    /// flat web; none where there is no outline.
+    /// Distance by which the middle leads the outline along the axis, less that of the flat web, over the square root of
+    /// the reference area; none without an outline.
     pub fn posture(&self, position: impl Fn(usize) -> DVec3) -> Option<f64> {
         let (_, rim) = (!self.outline.is_empty()).then(|| self.outline_area_and_middle(&position))?;
         self.posture_of(rim, mean(&self.centre, position))
@@ -289,7 +289,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_written_reads_back_equal() {
+    fn landmarks_read_back_equal() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("landmarks.json");
         let landmarks = Landmarks {

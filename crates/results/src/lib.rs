@@ -1,21 +1,22 @@
-//! What came out of a run, and the folder that keeps it.
+//! The observer that measures a run, the summary of the run, and the folder that keeps the results.
 //!
 //! ```text
-//!  Summary   the run in a page of numbers      summary.json
-//!  History   one row a record step             history.csv
-//!  Fields    every node and rope, in time      fields.vtkhdf   (opens in ParaView)
-//!  Landmarks what of these has a meaning       landmarks.json
-//!  Manifest  who ran what, where and when      manifest.json
+//!  Summary   the run in a page of numbers               summary.json
+//!  History   one row for each record step               history.csv
+//!  Fields    every node and rope at each record step    fields.vtkhdf   (opens in ParaView)
+//!  Landmarks names of nodes and segments                landmarks.json
+//!  Manifest  program, inputs, machine and time          manifest.json
 //! ```
 //!
-//! [`quantities`] is the table of all numbers of the summary: key, name, unit, which way is better, definition; and
-//! [`columns`] that of the history.
+//! [`quantities`] lists all numbers of the summary with key, name, unit, direction of better and definition.
+//! [`columns`] lists the columns of the history.
 //!
-//! [`ResultFolder`] writes the files aside and swaps them in when they are complete, so that a reader never meets half
-//! a result. While a run goes on, its history and fields are on the disk already and a [`Checkpoint`] now and then, so
-//! that it can go on after a crash; [`recover`] makes what it left readable. Everything is in SI and says its unit in
-//! its name. The same run gives the same bytes in every file but the manifest, which alone knows the clock and the
-//! machine, and `wall_time_s` in the summary.
+//! [`ResultFolder`] writes the files into a folder aside and swaps it in when it is complete: a reader never sees half
+//! a result. During a run the folder aside holds the history, the fields and the last [`Checkpoint`], from which the
+//! run can go on after a crash. [`recover`] makes the files of a crashed run readable.
+//!
+//! All numbers are in SI, with the unit in the name. The same run gives the same bytes in every file, except for the
+//! manifest, which holds the clock and the machine, and for `wall_time_s` in the summary.
 
 mod checkpoint;
 mod column;

@@ -1,37 +1,37 @@
-//! The table of quantities: what each number of `summary.json` is called, its unit, what is wanted of it, what it is.
+//! The table of quantities: name, unit, direction of better and definition of each number of `summary.json`.
 //!
-//! A section of the summary is declared by [`section!`], a row a number: the same row makes the field of the struct,
-//! hence the key of the file, and the row of this table. The report's tables, the rows of a comparison, the check of
-//! reported numbers and the list in `docs/theory/measures.md` are made from it.
+//! [`section!`] declares a section of the summary, with one row for each number. The row makes the field of the
+//! struct, hence the key of the file, and the row of the table. The report's tables, the rows of a comparison, the
+//! check of reported numbers and the list in `docs/theory/measures.md` are made from the table.
 
 use serde::{Deserialize, Serialize};
 
-/// What a net designer wants of a quantity.
+/// The direction in which a quantity is better for a net designer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Better {
-    /// The less, the better.
+    /// A lower value is better.
     Lower,
-    /// The more, the better.
+    /// A higher value is better.
     Higher,
 }
 
-/// What kind of value a quantity has; its unit follows.
+/// The kind of value of a quantity, which gives its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
-    /// A time since the start, or the length of a spell.
+    /// A time since the start of the run, or the length of a spell.
     Time,
-    /// A length of time that may be very short or long.
+    /// A duration that may be very short or very long.
     Duration,
     /// A length.
     Length,
-    /// A place, x, y and z in the world frame.
+    /// A position: x, y and z in the world frame.
     Place,
     /// An area.
     Area,
     /// A speed.
     Speed,
-    /// A velocity, x, y and z in the world frame.
+    /// A velocity: x, y and z in the world frame.
     Velocity,
     /// An angle.
     Angle,
@@ -43,7 +43,7 @@ pub enum Dimension {
     Density,
     /// A force.
     Force,
-    /// A force over time.
+    /// An impulse: the integral of a force over time.
     Impulse,
     /// An energy.
     Energy,
@@ -51,15 +51,15 @@ pub enum Dimension {
     Stress,
     /// A dynamic viscosity.
     Viscosity,
-    /// A change of length over the length at rest.
+    /// A strain: change of length over rest length.
     Strain,
-    /// A part of a whole, read as percent.
+    /// A part of a whole, shown in percent.
     Share,
-    /// A small error over what it is an error of.
+    /// A small relative error.
     Error,
-    /// One value over another of its kind.
+    /// A ratio of two values of one kind.
     Ratio,
-    /// How many there are.
+    /// A number of things.
     Count,
     /// A text.
     Text,
@@ -68,7 +68,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// The unit of its values, as a scenario writes it; empty for what has none.
+    /// The unit as a scenario writes it; empty for a dimension without a unit.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Time | Self::Duration => "s",
@@ -89,26 +89,26 @@ impl Dimension {
     }
 }
 
-/// A row of the table: a number, a text or a truth of `summary.json`.
+/// A row of the table of quantities: a number, a text or a yes-or-no of `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    /// Path of the object that it stands in, with dots; `*` for any name, such as that of a point.
+    /// Path of the JSON object that holds it, with dots; `*` stands for any name, such as that of a point.
     pub parent: &'static str,
-    /// Its key there.
+    /// Key in that object.
     pub key: &'static str,
-    /// What it is called; `{}` stands for the name at `*`.
+    /// Name for the reader; `{}` stands for the name at `*`.
     pub name: &'static str,
-    /// What kind of value it has.
+    /// Kind of value, which gives the unit.
     pub dimension: Dimension,
-    /// What is wanted of it; none where neither is better as such.
+    /// Direction of better; none where neither direction is better.
     pub better: Option<Better>,
-    /// Whether it is one of those that a designer looks for first.
+    /// Whether a designer looks for it first.
     pub headline: bool,
-    /// Whether the report's tables show it; others are told in sentences or pictures.
+    /// Whether the report's tables show it; the report gives the others in sentences or pictures.
     pub in_table: bool,
-    /// Whether the key holds an object of such values by name.
+    /// Whether the key holds an object with one such value for each name.
     pub by_name: bool,
-    /// What it is, in a sentence.
+    /// Definition, in a sentence.
     definition: &'static str,
 }
 
@@ -144,39 +144,40 @@ impl Quantity {
         Self { by_name: true, ..self }
     }
 
-    /// What it is, in a sentence or two.
+    /// Definition, in a sentence or two.
     pub fn definition(&self) -> &'static str {
         self.definition.trim_start()
     }
 
-    /// Its path in `summary.json`, with dots; `*` for any name.
+    /// Path in `summary.json`, with dots; `*` stands for any name.
     pub fn path(&self) -> String {
-        let of_each = if self.by_name { ".*" } else { "" };
+        let any_name = if self.by_name { ".*" } else { "" };
         let dot = if self.parent.is_empty() { "" } else { "." };
-        format!("{}{dot}{}{of_each}", self.parent, self.key)
+        format!("{}{dot}{}{any_name}", self.parent, self.key)
     }
 
-    /// The section of the summary that it belongs to: the first key of its path.
+    /// The section of the summary that holds it: the first key of its path.
     pub fn section(&self) -> &'static str {
         let path = if self.parent.is_empty() { self.key } else { self.parent };
         path.split_once('.').map_or(path, |(section, _)| section)
     }
 
-    /// Its name for one of the things at `*`.
+    /// Name for the reader, with the name `thing` at `*`.
     pub fn name_of(&self, thing: &str) -> String {
         self.name.replace("{}", thing)
     }
 
-    /// Its name where the things at `*` have a row each and it has a column.
+    /// Heading of its column in a table with one row for each name at `*`.
     pub fn head(&self) -> String {
         let things = [", rope `{}`,", ", rope `{}`", ", {},", ", {}", " of {}"];
         things.iter().fold(self.name.to_owned(), |name, thing| name.replace(thing, ""))
     }
 }
 
-/// Declares a section of the summary: a struct with a field a quantity, in the order of the file, and its rows of the
-/// table as `QUANTITIES`. A row is the definition, the field, the name, the dimension, and what else is to be said of it:
-/// `lower` or `higher` is better, `headline`, `not_in_table`, `by_name`. Fields after `parts:` are sections of their own.
+/// Declares a section of the summary: a struct with one field for each quantity, in the order of the file, and the
+/// section's rows of the table as `QUANTITIES`. A row gives definition, field, type, name and dimension, then any of
+/// `lower` or `higher` (the direction of better), `headline`, `not_in_table`, `by_name`. Fields after `parts:` are
+/// sections of their own.
 macro_rules! section {
     (
         $(#[doc = $about:literal])+
@@ -198,7 +199,7 @@ macro_rules! section {
         }
 
         impl $section {
-            /// Its rows of the table of quantities.
+            /// Rows of this section in the table of quantities.
             pub const QUANTITIES: &'static [$crate::quantity::Quantity] = &[
                 $(
                     $crate::quantity::Quantity::new(
@@ -221,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_column_is_headed_by_the_name_without_the_thing() {
+    fn the_head_of_a_column_is_the_name_without_the_placeholder() {
         let head = |name: &'static str| Quantity::new("a.*", "b", name, Dimension::Force, "").head();
         assert_eq!(head("Peak speed of {} at"), "Peak speed at");
         assert_eq!(head("Highest tension, {}"), "Highest tension");
@@ -229,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_name_the_section_and_what_is_held_by_name() {
+    fn a_path_starts_with_its_section_and_has_a_star_for_each_name() {
         let one = Quantity::new("tension.by_class.*", "max_n", "", Dimension::Force, "");
         assert_eq!((one.path().as_str(), one.section()), ("tension.by_class.*.max_n", "tension"));
         let channel = Quantity::new("energy", "channels", "", Dimension::Energy, "").by_name();

@@ -1,4 +1,4 @@
-//! What a run left that was cut off, made readable: rows and frames up to the last whole one.
+//! Recovery of the files of a run that was cut off: rows and frames up to the last complete one.
 
 use std::fs::{self, OpenOptions};
 use std::path::Path;
@@ -8,35 +8,35 @@ use serde_json::json;
 use crate::journal::read_journal;
 use crate::{Manifest, ResultError, folder, running};
 
-/// Makes the result in `folder` readable as far as it goes, and says in sentences what was lost: the history ends with
-/// its last whole row, `fields.vtkhdf` is made from the whole frames of `fields.part`, and there is a summary that says
-/// that the run did not end. A whole result is left as it is, and nothing is said. A run can still go on from here.
+/// Makes the files of an unfinished run in `folder` readable, and returns a sentence for each loss. The history is cut
+/// after its last complete row, `fields.vtkhdf` is made from the complete frames of `fields.part`, and a summary says
+/// that the run did not end. A complete result is left unchanged, with no sentences. The run can still go on.
 ///
 /// # Errors
-/// [`ResultError::InUse`] where the run is at work, or what cannot be read or written.
+/// [`ResultError::InUse`] if the run has not stopped; else a file that cannot be read or written.
 pub fn recover(folder: &Path) -> Result<Vec<String>, ResultError> {
-    // what is not ours is left alone
+    // never touch a folder that netcast did not write
     if !Manifest::marks(folder) {
         return Ok(Vec::new());
     }
     if running::is_busy(folder)? {
         return Err(ResultError::InUse { path: folder.to_path_buf() });
     }
-    let mut told = Vec::new();
-    told.extend(cut_history(&folder.join(folder::HISTORY))?);
+    let mut losses = Vec::new();
+    losses.extend(cut_history(&folder.join(folder::HISTORY))?);
     if folder.join(folder::FIELDS_PART).exists() {
-        told.extend(make_fields(folder)?);
+        losses.extend(make_fields(folder)?);
     }
     if !folder.join(folder::SUMMARY).exists() {
-        told.push("there is no summary: the run was cut off before its end".to_owned());
-        write_summary(folder, &told)?;
+        losses.push("there is no summary: the run was cut off before its end".to_owned());
+        write_summary(folder, &losses)?;
     }
-    Ok(told)
+    Ok(losses)
 }
 
-/// Cuts off what follows the last line that has its end.
+/// Cuts the history after its last complete line; returns a sentence if bytes were lost.
 fn cut_history(path: &Path) -> Result<Option<String>, ResultError> {
-    // the history of a comparison is that of its designs
+    // the result of a comparison has histories only in the folders of its designs
     if !path.exists() {
         return Ok(None);
     }
@@ -56,24 +56,25 @@ fn cut_history(path: &Path) -> Result<Option<String>, ResultError> {
     Ok(Some(format!("{}: the last {lost} bytes are no whole row; {rows} rows kept", folder::HISTORY)))
 }
 
+/// Makes `fields.vtkhdf` from `fields.part`; returns a sentence if bytes were lost.
 fn make_fields(folder: &Path) -> Result<Option<String>, ResultError> {
     let (fields, lost) = read_journal(&folder.join(folder::FIELDS_PART))?;
     let upto =
         fields.times().last().map_or("no frame is left".to_owned(), |time| format!("frames up to {time} s kept"));
-    // not synced: what it is made from stays
+    // no sync is needed: `fields.part` stays
     fields.finish(&folder.join(folder::FIELDS))?;
     Ok((lost > 0).then(|| format!("{}: the last {lost} bytes are no whole frame; {upto}", folder::FIELDS_PART)))
 }
 
-/// The summary of a run that did not live to write its own. What it measured at every step is in its checkpoint, for
-/// the run that goes on; here is only what can be said for certain.
-fn write_summary(folder: &Path, told: &[String]) -> Result<(), ResultError> {
+/// Writes a summary for a run that died before it wrote its own. It has no measured numbers: those are in the
+/// checkpoint, for a run that goes on.
+fn write_summary(folder: &Path, losses: &[String]) -> Result<(), ResultError> {
     let summary = json!({
         "title": "",
         "netcast": env!("CARGO_PKG_VERSION"),
         "wall_time_s": null,
         "finished": false,
-        "warnings": told,
+        "warnings": losses,
     });
     let text = serde_json::to_string_pretty(&summary).expect("string keys and plain data") + "\n";
     let path = folder.join(folder::SUMMARY);

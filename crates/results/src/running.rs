@@ -1,7 +1,7 @@
-//! `<target>.running`: where a run writes, in sight of the user, locked against other runs.
+//! `<target>.running`: the folder in which a run writes, locked against other runs.
 //!
-//! The lock is the operating system's and ends with the process, however that ends: what is not locked was left by a
-//! run that died.
+//! The operating system holds the lock and frees it when the process ends, also by a crash. A folder without a lock
+//! was therefore left by a run that died.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -12,7 +12,7 @@ use std::process;
 use crate::folder::{LOCK, OURS};
 use crate::{ResultError, whole};
 
-/// The lock on the folder of a run, held as long as this lives.
+/// The lock on the folder of a run, held until it is dropped.
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,
@@ -20,21 +20,21 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock file away, so that the folder can be published.
+    /// Removes the lock file, so that the folder can be published.
     pub fn release(self) -> Result<(), ResultError> {
         drop(self.file);
         fs::remove_file(&self.path).map_err(ResultError::write(&self.path))
     }
 }
 
-/// The folder where a run with this target writes.
+/// The folder in which a run with this target writes.
 pub fn beside(target: &Path) -> PathBuf {
     let mut name = OsString::from(target.file_name().unwrap_or_default());
     name.push(".running");
     target.with_file_name(name)
 }
 
-/// Locks the folder beside `target`, made where it is missing with its parents. What a run left in it stays.
+/// Locks the folder beside `target`, and makes it and its parents if they are missing. Files in the folder stay.
 pub fn claim(target: &Path) -> Result<(PathBuf, Lock), ResultError> {
     let aside = beside(target);
     let unwritable = |source| ResultError::TargetUnwritable { path: target.to_path_buf(), source };
@@ -46,23 +46,23 @@ pub fn claim(target: &Path) -> Result<(PathBuf, Lock), ResultError> {
         }
         let path = aside.join(LOCK);
         let mut file = match OpenOptions::new().create(true).truncate(false).write(true).open(&path) {
-            // its run was published meanwhile
+            // another run has published the folder meanwhile
             Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
             opened => opened.map_err(unwritable)?,
         };
         if is_held(&file).map_err(unwritable)? {
             return Err(ResultError::InUse { path: aside });
         }
-        // nobody else takes this folder from here on, unless it was published since it was looked for
+        // the lock is ours; the folder may have been published between its creation and the lock
         if path.exists() {
-            // for who wonders whose it is; where it cannot be written, what follows says so
+            // the process id helps a user to find the run; a failure here shows at the next write
             let _ = file.set_len(0).and_then(|()| writeln!(file, "process {}", process::id()));
             return Ok((aside, Lock { path, file }));
         }
     }
 }
 
-/// Whether a run is at work in `folder`.
+/// Whether a run holds the lock on `folder`.
 pub fn is_busy(folder: &Path) -> Result<bool, ResultError> {
     let path = folder.join(LOCK);
     match OpenOptions::new().write(true).open(&path) {
@@ -72,7 +72,7 @@ pub fn is_busy(folder: &Path) -> Result<bool, ResultError> {
     }
 }
 
-/// Takes the lock, or says that somebody has it. Where the file system knows no locks, nobody has.
+/// Takes the lock if it is free, and returns whether another process has it. Without locks in the file system it is free.
 fn is_held(file: &File) -> io::Result<bool> {
     match file.try_lock() {
         Ok(()) => Ok(false),
@@ -82,7 +82,7 @@ fn is_held(file: &File) -> io::Result<bool> {
     }
 }
 
-/// Empties a locked folder.
+/// Removes all files of a locked folder but the lock.
 pub fn clear(folder: &Path) -> Result<(), ResultError> {
     for entry in fs::read_dir(folder).map_err(ResultError::read(folder))? {
         let path = entry.map_err(ResultError::read(folder))?.path();
@@ -93,7 +93,7 @@ pub fn clear(folder: &Path) -> Result<(), ResultError> {
     Ok(())
 }
 
-/// Removes some of the files and folders of a locked folder, where they are there.
+/// Removes the named files and folders that exist in a locked folder.
 pub fn forget(folder: &Path, names: &[&str]) -> Result<(), ResultError> {
     names.iter().map(|name| folder.join(name)).filter(|path| path.exists()).try_for_each(|path| remove(&path))
 }
@@ -103,7 +103,7 @@ fn remove(path: &Path) -> Result<(), ResultError> {
     removed.map_err(ResultError::write(path))
 }
 
-/// Refuses a folder that holds anything but what a run leaves.
+/// Refuses a folder that holds a file or folder which no run writes.
 fn require_ours(folder: &Path) -> Result<(), ResultError> {
     let path = || folder.to_path_buf();
     if !folder.is_dir() {

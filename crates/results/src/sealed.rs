@@ -1,24 +1,24 @@
-//! Blocks of bytes under a seal, so that what was cut short or damaged is known for it.
+//! Blocks of bytes with a checksum, by which a reader detects a block that is cut short or damaged.
 //!
-//! A block is the length of its content as eight bytes, little-endian, the CRC-32 of these eight and the content, and
-//! the content.
+//! A block is the length of its content as eight bytes, little-endian, then the CRC-32 of the length and the content,
+//! then the content.
 
 use std::io::{self, Read, Write};
 
 use crc32fast::Hasher;
 
-/// Bytes before a block's content.
+/// Bytes before the content of a block: length and checksum.
 pub const HEAD_BYTES: u64 = 12;
 
 /// Writes a block.
 pub fn write(to: &mut impl Write, content: &[u8]) -> io::Result<()> {
     let length = (content.len() as u64).to_le_bytes();
     to.write_all(&length)?;
-    to.write_all(&seal(&length, content).to_le_bytes())?;
+    to.write_all(&checksum(&length, content).to_le_bytes())?;
     to.write_all(content)
 }
 
-/// Reads a block into `content`. False where the `left` bytes that are there do not begin with a whole one.
+/// Reads a block into `content`. False if the next `left` bytes do not begin with a complete, undamaged block.
 pub fn read(from: &mut impl Read, left: u64, content: &mut Vec<u8>) -> io::Result<bool> {
     if left < HEAD_BYTES {
         return Ok(false);
@@ -27,16 +27,17 @@ pub fn read(from: &mut impl Read, left: u64, content: &mut Vec<u8>) -> io::Resul
     from.read_exact(&mut length)?;
     from.read_exact(&mut crc)?;
     let size = u64::from_le_bytes(length);
-    // a length that is damaged must not take memory
+    // a damaged length must not allocate memory
     if size > left - HEAD_BYTES {
         return Ok(false);
     }
     content.clear();
     from.take(size).read_to_end(content)?;
-    Ok(content.len() as u64 == size && seal(&length, content) == u32::from_le_bytes(crc))
+    Ok(content.len() as u64 == size && checksum(&length, content) == u32::from_le_bytes(crc))
 }
 
-fn seal(length: &[u8], content: &[u8]) -> u32 {
+/// CRC-32 of a block.
+fn checksum(length: &[u8], content: &[u8]) -> u32 {
     let mut hasher = Hasher::new();
     hasher.update(length);
     hasher.update(content);
@@ -53,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn a_block_reads_back_and_no_part_or_change_of_it_does() {
+    fn a_block_reads_back_and_a_cut_or_changed_block_does_not() {
         let mut block = Vec::new();
         write(&mut block, b"a net").unwrap();
         assert_eq!(read_whole(&block).as_deref(), Some(&b"a net"[..]));

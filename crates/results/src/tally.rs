@@ -1,4 +1,4 @@
-//! A file that is appended to, and what it has come to.
+//! A file that is appended to, with its length and checksum so far.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -7,7 +7,7 @@ use std::path::Path;
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
 
-/// The beginning of a file: its length in bytes and their CRC-32.
+/// Length and CRC-32 of the beginning of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Extent {
     /// Length, bytes.
@@ -15,7 +15,7 @@ pub struct Extent {
     crc: u32,
 }
 
-/// A file that counts and sums what is written to it.
+/// A file with the length and the CRC-32 of all bytes written to it.
 #[derive(Debug)]
 pub struct Tally {
     file: File,
@@ -24,13 +24,13 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// A new file at `path`, in the place of one that may be there.
+    /// A new file at `path`, which replaces an older one.
     pub fn create(path: &Path) -> io::Result<Tally> {
         Ok(Tally { file: File::create(path)?, bytes: 0, hasher: Hasher::new() })
     }
 
-    /// The file at `path` as it was when it had come to `extent`; what follows is cut off. None where it does not begin
-    /// so.
+    /// The file at `path`, cut to the length of `extent`. None, and the file unchanged, if it is shorter or the checksum
+    /// of its beginning differs.
     pub fn reopen(path: &Path, extent: Extent) -> io::Result<Option<Tally>> {
         let mut file = OpenOptions::new().read(true).write(true).open(path)?;
         let mut hasher = Hasher::new();
@@ -53,12 +53,12 @@ impl Tally {
         Ok(Some(Tally { file, bytes: extent.bytes, hasher }))
     }
 
-    /// What the file has come to.
+    /// Length and checksum of the file so far.
     pub fn extent(&self) -> Extent {
         Extent { bytes: self.bytes, crc: self.hasher.clone().finalize() }
     }
 
-    /// Returns when what was written outlasts a loss of power.
+    /// Waits until all written bytes would survive a loss of power.
     pub fn sync(&self) -> io::Result<()> {
         self.file.sync_data()
     }
@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_goes_on_from_where_it_was_and_only_if_it_still_begins_so() {
+    fn a_file_is_reopened_only_if_its_beginning_is_unchanged() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("file");
         let mut file = Tally::create(&path).unwrap();
@@ -100,6 +100,6 @@ mod tests {
         assert!(Tally::reopen(&path, extent).unwrap().is_none());
         std::fs::write(&path, b"fIrst second").unwrap();
         assert!(Tally::reopen(&path, extent).unwrap().is_none());
-        assert_eq!(std::fs::read(&path).unwrap(), b"fIrst second", "what is refused is left as it is");
+        assert_eq!(std::fs::read(&path).unwrap(), b"fIrst second", "a refused file stays unchanged");
     }
 }

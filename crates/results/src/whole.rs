@@ -1,4 +1,4 @@
-//! Files that are there whole or not at all: written under another name, synced, renamed.
+//! Files that are either complete or absent: written under another name, synced, then renamed.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -6,13 +6,13 @@ use std::path::Path;
 
 use crate::ResultError;
 
-/// What the name of a file ends with until it is whole.
+/// Suffix of the name of a file until the file is complete.
 pub const UNFINISHED: &str = ".new";
 
-/// Puts what `make` writes to the path that it is given in the place of `path`.
+/// Replaces the file at `path` by the one that `make` writes to the path it is given.
 ///
 /// # Errors
-/// Those of `make`, or [`ResultError::Write`]; an older file is then still there.
+/// Those of `make`, or [`ResultError::Write`]. An older file at `path` then stays.
 pub fn write(path: &Path, make: impl FnOnce(&Path) -> Result<(), ResultError>) -> Result<(), ResultError> {
     let mut name = OsString::from(path.file_name().unwrap_or_default());
     name.push(UNFINISHED);
@@ -22,15 +22,15 @@ pub fn write(path: &Path, make: impl FnOnce(&Path) -> Result<(), ResultError>) -
         synced.and_then(|()| fs::rename(&unfinished, path)).map_err(ResultError::write(path))
     });
     if written.is_err() {
-        // the first error is the one to tell
+        // the first error is the one to report
         let _ = fs::remove_file(&unfinished);
     }
     written
 }
 
-/// Syncs a folder's own list of names, where the system can, so that a rename in it outlasts a loss of power.
+/// Syncs the list of names in a folder, if the system can, so that a rename survives a loss of power.
 pub fn sync_folder(folder: &Path) {
-    // nothing can be done where this fails, and the files themselves are synced
+    // a failure has no remedy, and the files themselves are synced
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 

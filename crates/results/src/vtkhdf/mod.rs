@@ -1,23 +1,23 @@
-//! `fields.vtkhdf`: where every node was and what every rope bore, at every record step.
+//! `fields.vtkhdf`: positions and velocities of all nodes and tensions of all ropes, at every record step.
 //!
-//! One HDF5 file that ParaView opens as a series in time and h5py opens as arrays. The layout is VTKHDF 2.2,
-//! `PolyData` (<https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/vtkhdf_specifications.html>):
+//! It is one HDF5 file. ParaView opens it as a time series, h5py as arrays. The layout is VTKHDF 2.2, `PolyData`
+//! (<https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/vtkhdf_specifications.html>):
 //!
 //! ```text
 //! /VTKHDF            Version [2, 2]  Type "PolyData"
 //!   Points           (steps * nodes, 3)  m, world frame
-//!   Lines            one cell of two points a segment: the topology stays, so it is stored once
-//!   Polygons         one cell of three points a triangle of a sheet, stored once
+//!   Lines            one cell of two points for each segment, stored once
+//!   Polygons         one cell of three points for each triangle of a sheet, stored once
 //!   PointData        velocity (steps * nodes, 3)  m/s
 //!   CellData         tension (steps * cells)  N;  class (cells), stored once
-//!   Steps            Values (steps)  s, and where each step begins in the arrays above
-//! /netcast           class_names;  label_nodes, label_names: outside /VTKHDF, so ParaView passes over it
-//!                    body_nodes (bodies)  where the centres of rigid bodies are
+//!   Steps            Values (steps)  s, and the offset of each step in the arrays above
+//! /netcast           class_names;  label_nodes, label_names: outside /VTKHDF, so ParaView ignores it
+//!                    body_nodes (bodies)  nodes at the centres of rigid bodies
 //!                    body_orientations (steps * bodies, 4)  from a body's axes to the world, quaternions x, y, z, w
 //! ```
 //!
-//! A cell has two points, and not a whole rope, because tension is a number a cell; where ropes run side by side it is
-//! that of one of them. Triangles follow the segments; they are no ropes: their tension is 0, their class -1.
+//! A cell is a segment and not a whole rope, because tension varies along a rope; of ropes that run side by side it is
+//! the tension of one. Triangles follow the segments and have tension 0 and class -1.
 
 mod read;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! A field file, read back.
+//! Reader of `fields.vtkhdf`.
 
 use std::path::Path;
 
@@ -8,12 +8,12 @@ use hdf5_pure::File;
 use super::topology::FieldsTopology;
 use crate::ResultError;
 
-/// What a field file holds: read back, or kept in memory.
+/// The fields of a run in memory: topology, and a frame for each record step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fields {
-    /// What stays the same in every step.
+    /// Nodes, segments, triangles and names, the same in every frame.
     pub topology: FieldsTopology,
-    /// The time of each step, s.
+    /// Time of each frame, s; shape (steps,).
     pub times: Vec<f64>,
     positions: Vec<DVec3>,
     velocities: Vec<DVec3>,
@@ -22,14 +22,14 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// No frame yet, of this topology.
+    /// Fields of this topology without a frame.
     pub fn new(topology: FieldsTopology) -> Self {
         let (times, positions, velocities, tensions, orientations) = Default::default();
         Self { topology, times, positions, velocities, tensions, orientations }
     }
 
-    /// Appends a frame: time, s, positions, m, and velocities, m/s, (nodes,), tensions, N, (segments,), orientations of
-    /// rigid bodies, (bodies,).
+    /// Appends a frame: time, s; positions, m, and velocities, m/s, shape (nodes,); tensions, N, shape (segments,);
+    /// orientations of rigid bodies, shape (bodies,).
     pub(crate) fn push(
         &mut self,
         time: f64,
@@ -47,34 +47,34 @@ impl Fields {
         self.orientations.extend(orientations);
     }
 
-    /// The position of each node at a step, m.
+    /// Positions of the nodes at a step, m; shape (nodes,).
     ///
     /// # Panics
-    /// Where there is no such step; see `times`.
+    /// If `step` is not less than the length of `times`.
     pub fn positions(&self, step: usize) -> &[DVec3] {
         row(&self.positions, step, self.topology.nodes)
     }
 
-    /// The velocity of each node at a step, m/s.
+    /// Velocities of the nodes at a step, m/s; shape (nodes,).
     ///
     /// # Panics
-    /// Where there is no such step; see `times`.
+    /// If `step` is not less than the length of `times`.
     pub fn velocities(&self, step: usize) -> &[DVec3] {
         row(&self.velocities, step, self.topology.nodes)
     }
 
-    /// The tension of each segment at a step, N.
+    /// Tensions of the segments at a step, N; shape (segments,).
     ///
     /// # Panics
-    /// Where there is no such step; see `times`.
+    /// If `step` is not less than the length of `times`.
     pub fn tensions(&self, step: usize) -> &[f64] {
         &row(&self.tensions, step, self.topology.cells())[..self.topology.segments.len()]
     }
 
-    /// The orientation of each rigid body at a step: from its axes to the world.
+    /// Orientations of the rigid bodies at a step, from body axes to the world; shape (bodies,).
     ///
     /// # Panics
-    /// Where there is no such step; see `times`.
+    /// If `step` is not less than the length of `times`.
     pub fn orientations(&self, step: usize) -> &[DQuat] {
         row(&self.orientations, step, self.topology.bodies.len())
     }
@@ -87,8 +87,8 @@ fn row<T>(values: &[T], step: usize, width: usize) -> &[T] {
 /// Reads a field file that [`super::FieldsWriter`] wrote.
 ///
 /// # Errors
-/// [`ResultError::Fields`] where the file cannot be read or lacks an array, [`ResultError::NotFields`] where its
-/// arrays do not fit each other.
+/// [`ResultError::Fields`] if the file cannot be read or lacks an array; [`ResultError::NotFields`] if the lengths or
+/// indices of its arrays do not agree.
 pub fn read_fields(path: &Path) -> Result<Fields, ResultError> {
     let fields = read_arrays(path).map_err(ResultError::fields(path))?;
     match inconsistency(&fields) {
@@ -135,12 +135,12 @@ fn vectors(file: &File, path: &str) -> Result<Vec<DVec3>, hdf5_pure::Error> {
     Ok(values.chunks_exact(3).map(DVec3::from_slice).collect())
 }
 
-/// What does not fit in a file that is whole as HDF5.
+/// A sentence on arrays whose lengths or indices do not agree; none if all do.
 fn inconsistency(fields: &Fields) -> Option<String> {
     let Fields { topology, times, positions, velocities, tensions, orientations } = fields;
     let (nodes, segments, steps) = (topology.nodes, topology.segments.len(), times.len());
     let cells = topology.cells();
-    // more than fits a memory is more than there is
+    // saturate: a damaged count may overflow
     let lengths = [
         ("Points", steps.saturating_mul(nodes), positions.len()),
         ("velocity", steps.saturating_mul(nodes), velocities.len()),

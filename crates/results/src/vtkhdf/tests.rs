@@ -1,4 +1,4 @@
-//! What is written reads back, to the last bit.
+//! Fields read back to the last bit, and files and arrays that do not fit are refused.
 
 use std::path::Path;
 
@@ -43,7 +43,7 @@ fn write(path: &Path, topology: FieldsTopology, steps: usize) {
 }
 
 #[test]
-fn what_is_written_reads_back_equal() {
+fn fields_read_back_equal() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.vtkhdf");
     write(&path, topology(), 3);
@@ -60,7 +60,7 @@ fn what_is_written_reads_back_equal() {
 }
 
 #[test]
-fn no_names_and_no_steps_are_a_file_too() {
+fn fields_without_names_and_steps_read_back_equal() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.vtkhdf");
     let bare = FieldsTopology { nodes: 4, ..FieldsTopology::default() };
@@ -94,7 +94,7 @@ fn arrays_that_do_not_fit_the_topology_are_refused() {
 }
 
 #[test]
-fn a_file_of_something_else_is_an_error() {
+fn a_file_that_is_not_hdf5_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.vtkhdf");
     std::fs::write(&path, "not HDF5").unwrap();

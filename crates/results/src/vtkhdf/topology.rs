@@ -1,4 +1,4 @@
-//! What stays the same in every step of the fields.
+//! The topology of the fields: what is the same in every step.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,22 +6,22 @@ pub(super) const VECTOR_BYTES: usize = 3 * size_of::<f64>();
 pub(super) const SCALAR_BYTES: usize = size_of::<f64>();
 pub(super) const QUATERNION_BYTES: usize = 4 * size_of::<f64>();
 
-/// What stays the same in every step.
+/// Nodes, segments, triangles and names of the fields, the same in every step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FieldsTopology {
     /// Number of nodes.
     pub nodes: usize,
-    /// The two nodes of each segment.
+    /// The two nodes of each segment; shape (segments, 2).
     pub segments: Vec<[u32; 2]>,
-    /// The link class of each segment, an index into `class_names`.
+    /// Link class of each segment, an index into `class_names`; shape (segments,).
     pub classes: Vec<u32>,
-    /// The three nodes of each triangle of a sheet.
+    /// The three nodes of each triangle of a sheet; shape (triangles, 3).
     pub triangles: Vec<[u32; 3]>,
-    /// The names of the link classes.
+    /// Names of the link classes.
     pub class_names: Vec<String>,
-    /// Nodes that have a name, such as feature point B.
+    /// Nodes with a name, such as feature point B.
     pub labels: Vec<(u32, String)>,
-    /// The node at the centre of each rigid body.
+    /// Node at the centre of each rigid body; shape (bodies,).
     pub bodies: Vec<u32>,
 }
 
@@ -31,7 +31,7 @@ impl FieldsTopology {
         self.segments.len() + self.triangles.len()
     }
 
-    /// What it speaks of and does not have.
+    /// A phrase on an index that is out of range; none if all are in range.
     pub(crate) fn fault(&self) -> Option<String> {
         let is_missing = |node: u32| node as usize >= self.nodes;
         let corners = self.segments.iter().flatten().chain(self.triangles.iter().flatten());
@@ -44,8 +44,8 @@ impl FieldsTopology {
         class.map(|class| format!("it names link class {class} of {}", self.class_names.len()))
     }
 
-    /// Bytes of one step: its time, a position and a velocity a node, a tension a segment, an orientation a body. None
-    /// where that is beyond any memory.
+    /// Bytes of one step: time, position and velocity of each node, tension of each segment, orientation of each body.
+    /// None if the number overflows.
     pub(crate) fn frame_bytes(&self) -> Option<usize> {
         let nodes = self.nodes.checked_mul(2 * VECTOR_BYTES)?;
         let bodies = self.bodies.len().checked_mul(QUATERNION_BYTES)?;

@@ -1,4 +1,4 @@
-//! The fields of a run as a file.
+//! Writer of `fields.vtkhdf`.
 
 use std::path::Path;
 
@@ -8,12 +8,12 @@ use hdf5_pure::{AttrValue, FileBuilder, FinishedGroup, GroupBuilder, make_f64_ty
 use super::topology::{FieldsTopology, QUATERNION_BYTES, SCALAR_BYTES, VECTOR_BYTES};
 use crate::ResultError;
 
-/// The kinds of cell of a `PolyData`, in the order of its offset columns.
+/// The kinds of cell of a `PolyData`, in the order of the columns of its cell offsets.
 const CELL_KINDS: [&str; 4] = ["Vertices", "Lines", "Polygons", "Strips"];
 
-/// Takes the steps of a run one by one and writes them as one file at its end.
+/// Collects the steps of a run and writes them as one file at the end.
 ///
-/// The values are held once, as the bytes that go to the file.
+/// It keeps the values as the bytes of the file, so that they are in memory only once.
 #[derive(Debug)]
 pub struct FieldsWriter {
     pub(super) topology: FieldsTopology,
@@ -28,18 +28,18 @@ impl FieldsWriter {
     /// A writer for this topology.
     ///
     /// # Errors
-    /// [`ResultError::Length`] where there is not one class a segment.
+    /// [`ResultError::Length`] if the topology does not have one class for each segment.
     pub fn new(topology: FieldsTopology) -> Result<Self, ResultError> {
         ResultError::length("link classes of the segments", topology.segments.len(), topology.classes.len())?;
         let (times, [positions, velocities, tensions, orientations]) = Default::default();
         Ok(Self { topology, times, positions, velocities, tensions, orientations })
     }
 
-    /// Appends a step: time in s, positions in m, velocities in m/s, the tension of each segment in N, and the orientation
-    /// of each rigid body.
+    /// Appends a step: time, s; positions, m, and velocities, m/s, shape (nodes,); tensions, N, shape (segments,);
+    /// orientations of rigid bodies, shape (bodies,).
     ///
     /// # Errors
-    /// [`ResultError::Length`] where an array does not fit the topology; nothing is appended then.
+    /// [`ResultError::Length`] if the length of an array does not fit the topology; nothing is appended then.
     pub fn push(
         &mut self,
         time: f64,
@@ -57,11 +57,11 @@ impl FieldsWriter {
         append_vectors(&mut self.velocities, velocities);
         self.tensions.extend(tensions.iter().flat_map(|tension| tension.to_le_bytes()));
         append_quaternions(&mut self.orientations, orientations.iter().copied());
-        self.slacken_triangles();
+        self.append_triangle_tensions();
         Ok(())
     }
 
-    /// Appends a step from its bytes in a journal; see [`crate::journal`]. Its length has been checked.
+    /// Appends a step from its bytes in a journal; see [`crate::journal`]. The caller has checked their number.
     pub(crate) fn push_bytes(&mut self, frame: &[u8]) {
         let (time, frame) = frame.split_at(SCALAR_BYTES);
         let (positions, frame) = frame.split_at(self.topology.nodes * VECTOR_BYTES);
@@ -72,28 +72,28 @@ impl FieldsWriter {
         self.velocities.extend_from_slice(velocities);
         self.tensions.extend_from_slice(tensions);
         self.orientations.extend_from_slice(orientations);
-        self.slacken_triangles();
+        self.append_triangle_tensions();
     }
 
-    /// Gives the triangles of a step their tension of none.
-    fn slacken_triangles(&mut self) {
+    /// Appends zero tension for each triangle of the last step.
+    fn append_triangle_tensions(&mut self) {
         self.tensions.resize(self.times.len() * self.topology.cells() * SCALAR_BYTES, 0);
     }
 
-    /// The time of each step so far, s.
+    /// Time of each step so far, s; shape (steps,).
     pub(crate) fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// Number of steps taken in so far.
+    /// Number of steps so far.
     pub fn steps(&self) -> usize {
         self.times.len()
     }
 
-    /// Writes the file. Equal input gives equal bytes.
+    /// Writes the file to `path`. Equal input gives equal bytes.
     ///
     /// # Errors
-    /// [`ResultError::Fields`] where the file cannot be written.
+    /// [`ResultError::Fields`] if the file cannot be written.
     pub fn finish(self, path: &Path) -> Result<(), ResultError> {
         self.build().and_then(|file| file.write(path)).map_err(ResultError::fields(path))
     }
@@ -107,7 +107,7 @@ impl FieldsWriter {
         vtk.set_attr("Version", AttrValue::I64Array(vec![2, 2]));
         vtk.set_attr("Type", AttrValue::AsciiString("PolyData".into()));
 
-        // geometry: points at every step, cells once
+        // points at every step, cells once
         vtk.create_dataset("NumberOfPoints").with_i64_data(&[nodes as i64]);
         vector_dataset(&mut vtk, "Points", positions);
         for kind in CELL_KINDS {
@@ -120,7 +120,6 @@ impl FieldsWriter {
             vtk.add_group(group);
         }
 
-        // fields
         let mut point_data = vtk.create_group("PointData");
         vector_dataset(&mut point_data, "velocity", velocities);
         vtk.add_group(point_data.finish());
@@ -162,7 +161,7 @@ fn vector_dataset(group: &mut GroupBuilder, name: &str, bytes: Vec<u8>) {
     group.create_dataset(name).with_raw_data(make_f64_type(), bytes, 3 * rows).with_shape(&[rows, 3]);
 }
 
-/// The cells of one kind: where each begins in the list of its points, and that list.
+/// The cells of one kind: the list of their points, and the offset of each cell in it.
 fn cells<const N: usize>(mut group: GroupBuilder, cells: &[[u32; N]]) -> FinishedGroup {
     let offsets: Vec<i64> = (0..=cells.len()).map(|cell| (N * cell) as i64).collect();
     let connectivity: Vec<i64> = cells.iter().flatten().map(|&node| node.into()).collect();
@@ -173,7 +172,7 @@ fn cells<const N: usize>(mut group: GroupBuilder, cells: &[[u32; N]]) -> Finishe
     group.finish()
 }
 
-/// Where each step begins: points, velocities and tensions move on, the cells and their class stay at zero.
+/// Offsets of each step in the arrays: they grow for points, velocities and tensions; cells and classes are stored once.
 fn steps(mut group: GroupBuilder, times: &[f64], nodes: usize, cells: usize) -> FinishedGroup {
     let count = times.len();
     let every = |stride: usize| -> Vec<i64> { (0..count).map(|step| (step * stride) as i64).collect() };
@@ -196,7 +195,7 @@ fn steps(mut group: GroupBuilder, times: &[f64], nodes: usize, cells: usize) -> 
     group.finish()
 }
 
-/// The names that VTK has no place for. An array of no strings has no width, so it is left out.
+/// Names of link classes and nodes, for which VTK has no place. HDF5 cannot hold an empty array of strings.
 fn names(mut group: GroupBuilder, topology: &FieldsTopology) -> Result<FinishedGroup, hdf5_pure::Error> {
     if !topology.class_names.is_empty() {
         let names: Vec<&str> = topology.class_names.iter().map(String::as_str).collect();
