@@ -1,12 +1,12 @@
-//! The bill of materials: the parts of a web, their mass and the volume of the packed web.
+//! The bill of materials: the parts of a web, their masses, and the volume of the packed web.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use crate::{Class, Web};
 
-/// Share of a packed web's volume that is solid: an assumption, for rope laid in by hand. (Parallel round rods could
-/// fill 0.91, rods thrown in at random much less.)
+/// Solid share of a packed web's volume: an assumption for rope laid in by hand. Parallel round rods can fill 0.91
+/// (pi / sqrt(12)), rods at random much less.
 pub const PACKED_FILL: f64 = 0.5;
 
 /// A kind of rope.
@@ -16,31 +16,31 @@ pub struct RopeKind {
     pub name: String,
     /// Diameter, m.
     pub diameter: f64,
-    /// Mass of a metre, kg/m.
+    /// Mass per length, kg/m.
     pub mass_per_metre: f64,
 }
 
 /// A canopy or a payload as an item on the bill.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Solid {
-    /// Mass of one, kg.
+    /// Mass of one item, kg.
     pub mass: f64,
-    /// Volume of one, m^3; 0 where it is not known.
+    /// Volume of one item, m^3; 0 where it is not known.
     pub volume: f64,
 }
 
 /// What a web's parts are made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parts {
-    /// The kinds of rope, in the order in which they are billed.
+    /// The kinds of rope, in the order of the bill, (kinds,).
     pub ropes: Vec<RopeKind>,
-    /// The kind of each of the web's ropes, as an index into `ropes`.
+    /// The kind of each of the web's ropes, as an index into `ropes`, (ropes,).
     pub kind_of_rope: Vec<usize>,
     /// A canopy without its payload.
     pub canopy: Solid,
-    /// The payload that some canopies carry.
+    /// A payload; some canopies carry one.
     pub payload: Solid,
-    /// Mass of each tractor, kg.
+    /// Mass of each tractor, kg, (tractors,).
     pub tractor_masses: Vec<f64>,
 }
 
@@ -53,26 +53,26 @@ pub struct RopeLine {
     pub diameter: f64,
     /// Total length, m.
     pub length: f64,
-    /// Its mass, kg.
+    /// Total mass, kg.
     pub mass: f64,
 }
 
 /// What a web is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bill {
-    /// Ropes by kind; kinds that are not used are left out.
+    /// Ropes by kind, without the kinds that are not used.
     pub ropes: Vec<RopeLine>,
     /// Length of rope in each class, m.
     pub length_by_class: BTreeMap<Class, f64>,
-    /// Knots: places where ropes are tied, tractors not counted.
+    /// Number of knots: places where ropes are tied, without tractors.
     pub knots: usize,
-    /// Pieces of rope from knot to knot.
+    /// Number of ropes, each from knot to knot.
     pub rope_count: usize,
-    /// Canopies.
+    /// Number of canopies.
     pub canopies: usize,
-    /// Payloads.
+    /// Number of payloads.
     pub payloads: usize,
-    /// Tractors.
+    /// Number of tractors.
     pub tractors: usize,
     /// Mass of the web's ropes without the traction ropes, kg.
     pub web_rope_mass: f64,
@@ -86,7 +86,7 @@ pub struct Bill {
     pub tractor_mass: f64,
     /// Solid volume of all ropes, m^3.
     pub rope_volume: f64,
-    /// Room that ropes, canopies and payloads take when packed, m^3: their solid volume over [`PACKED_FILL`].
+    /// Volume of the packed web, m^3: the solid volume of ropes, canopies and payloads over [`PACKED_FILL`].
     pub packed_volume: f64,
 }
 
@@ -96,13 +96,16 @@ impl Bill {
         self.web_rope_mass + self.canopy_mass + self.payload_mass
     }
 
-    /// Mass of all that is thrown, kg.
+    /// Mass of the web with traction ropes and tractors, kg.
     pub fn total_mass(&self) -> f64 {
         self.web_mass() + self.traction_mass + self.tractor_mass
     }
 }
 
-/// The bill of a web made of these parts. `parts.kind_of_rope` has an entry for each of the web's ropes.
+/// The bill of a web made of these parts.
+///
+/// # Panics
+/// If an entry of `parts.kind_of_rope` is not an index into `parts.ropes`.
 pub fn bill(web: &Web, parts: &Parts) -> Bill {
     let mut lines: Vec<RopeLine> = parts
         .ropes
@@ -117,14 +120,16 @@ pub fn bill(web: &Web, parts: &Parts) -> Bill {
         lines[kind].length += length;
         lines[kind].mass += mass_per_metre * length;
         rope_volume += PI / 4.0 * diameter * diameter * length;
-        *(if rope.class == Class::Traction { &mut traction_mass } else { &mut web_rope_mass }) +=
-            mass_per_metre * length;
+        let mass = if rope.class == Class::Traction { &mut traction_mass } else { &mut web_rope_mass };
+        *mass += mass_per_metre * length;
         is_tied[rope.a] = true;
         is_tied[rope.b] = true;
     }
     lines.retain(|line| line.length > 0.0);
     if !web.traction.is_empty() {
-        web.tractors.iter().for_each(|&tractor| is_tied[tractor] = false);
+        for &tractor in &web.tractors {
+            is_tied[tractor] = false;
+        }
     }
 
     let canopies = web.canopies.len();
@@ -153,12 +158,12 @@ mod tests {
     use super::*;
     use crate::{space, square, topological, traditional};
 
-    /// 10 mm of a material of 1850 kg/m^3.
+    /// A rope of 10 mm diameter and 1850 kg/m^3.
     fn rope() -> RopeKind {
         RopeKind { name: "10 mm".into(), diameter: 0.01, mass_per_metre: PI / 4.0 * 1e-4 * 1850.0 }
     }
 
-    /// The parts of a web whose ropes all are of one kind, without canopies, payloads and tractors.
+    /// The parts of a web with one kind of rope; canopies, payloads and tractors have no mass.
     fn of_one_rope(web: &Web) -> Parts {
         Parts {
             ropes: vec![rope()],
@@ -170,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn masses_of_the_three_webs() {
+    fn the_three_webs_have_masses_of_13_74_and_19_89_and_56_77_kg() {
         for (name, web, expected) in [
             ("traditional", traditional(2.5, 6).unwrap(), 13.74),
             ("topological", topological(2.5, 0.14).unwrap(), 19.89),
@@ -193,13 +198,12 @@ mod tests {
         let web = space(2.5, 0.14).unwrap();
         let bill = bill(&web, &of_one_rope(&web));
         assert_eq!((bill.canopies, bill.payloads, bill.rope_count), (31, 18, 180));
-        // a plate on the outline has four neighbours, whose sides meet at five of its corners; the sixth corner
-        // points outwards and is bare
+        // a canopy on the outline has four neighbours: ropes are tied to five of its corners, the outer one is bare
         assert_eq!(bill.knots, 19 * 6 + 12 * 5 + 6);
     }
 
     #[test]
-    fn classes_can_have_ropes_of_their_own() {
+    fn each_kind_of_rope_is_billed_on_its_own_line() {
         let web = square(2.0, 1.0).unwrap();
         let mut parts = of_one_rope(&web);
         parts.ropes.push(RopeKind { name: "thin".into(), diameter: 0.002, mass_per_metre: 0.005 });

@@ -1,19 +1,19 @@
-//! The cells of a web: the loops of rope that enclose its openings, found as the faces of the flat drawing.
+//! The cells of a web: the loops of rope round its openings, found as the faces of the flat drawing.
 //!
-//! Seen as a graph in the plane, every rope is walked twice, once each way; turning at each knot into the next rope
-//! clockwise walks round the faces (de Berg et al., Computational Geometry, 3rd ed. 2008, section 2.2). Traction ropes
-//! are no part of a cell, nor are gathering ropes, which lie on the outline.
+//! The web is a graph in the plane. A walk that turns at each knot into the next rope clockwise goes round one face.
+//! Together the walks use every rope twice, once each way (de Berg et al., Computational Geometry, 3rd ed. 2008, section
+//! 2.2). Traction ropes are left out, and so are gathering ropes, which lie on the outline.
 
 use std::collections::BTreeMap;
 
 use crate::{Class, CutWeb, Rope, vector_area};
 
-/// Share of the web's area below which a loop encloses nothing but rounding.
-const NOTHING: f64 = 1e-9;
+/// A loop with a smaller share of the web's area is a rounding error.
+const LEAST_SHARE: f64 = 1e-9;
 
 impl CutWeb {
-    /// The cells as closed loops of nodes, anticlockwise, the sides of canopies among them; each loop begins at a
-    /// knot. Empty where ropes cross in the flat web without a knot: such a web has no cells.
+    /// The cells as closed loops of nodes, anticlockwise; each begins at a knot. Canopies are cells too. Empty where ropes
+    /// cross in the flat web without a knot: cells are then not defined.
     pub fn cells(&self) -> Vec<Vec<usize>> {
         let sides = self.sides();
         let around = self.around(&sides);
@@ -27,15 +27,16 @@ impl CutWeb {
         let area = |cell: &Vec<usize>| vector_area(&cell.iter().map(|&n| self.nodes[n]).collect::<Vec<_>>()).z;
         let sized: Vec<(f64, Vec<usize>)> = loops.map(|cell| (area(&cell), cell)).collect();
         let whole = sized.iter().fold(0.0, |largest, (area, _)| f64::max(largest, area.abs()));
-        sized.into_iter().filter(|(area, _)| *area > NOTHING * whole).map(|(_, cell)| cell).collect()
+        sized.into_iter().filter(|(area, _)| *area > LEAST_SHARE * whole).map(|(_, cell)| cell).collect()
     }
 
-    /// The nodes between two knots that a rope or a canopy's side joins, both ways; of parallel ropes the first.
+    /// The nodes inside each rope by its two knots, both ways; the first of parallel ropes. A canopy's side has no nodes
+    /// inside.
     fn sides(&self) -> BTreeMap<(usize, usize), Vec<usize>> {
         let mut sides = BTreeMap::new();
         let ropes = self.web.ropes.iter().enumerate();
-        let bounds = |rope: &Rope| !matches!(rope.class, Class::Traction | Class::Gathering) && rope.a != rope.b;
-        for (rope, ends) in ropes.filter(|(_, rope)| bounds(rope)) {
+        let is_side = |rope: &Rope| !matches!(rope.class, Class::Traction | Class::Gathering) && rope.a != rope.b;
+        for (rope, ends) in ropes.filter(|(_, rope)| is_side(rope)) {
             let interior: Vec<usize> = self.ropes[rope].interior().collect();
             if !sides.contains_key(&(ends.a, ends.b)) {
                 sides.insert((ends.b, ends.a), interior.iter().rev().copied().collect());
@@ -52,7 +53,7 @@ impl CutWeb {
         sides
     }
 
-    /// The neighbours of each knot, anticlockwise.
+    /// The neighbours of each knot, anticlockwise, (knots,).
     fn around(&self, sides: &BTreeMap<(usize, usize), Vec<usize>>) -> Vec<Vec<usize>> {
         let mut around = vec![Vec::new(); self.web.knots.len()];
         for &(knot, neighbour) in sides.keys() {
@@ -68,14 +69,14 @@ impl CutWeb {
         around
     }
 
-    /// A loop of knots with the nodes of the ropes between them.
+    /// A loop of knots, with the nodes inside the ropes between them.
     fn with_interiors(&self, face: &[usize], sides: &BTreeMap<(usize, usize), Vec<usize>>) -> Vec<usize> {
         let next = face.iter().cycle().skip(1);
         face.iter().zip(next).flat_map(|(&a, &b)| std::iter::once(a).chain(sides[&(a, b)].iter().copied())).collect()
     }
 }
 
-/// Walks round every face; the inside lies to the left.
+/// The loop of knots round each face, which lies to the left of the walk.
 fn faces(around: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let place =
         |knot: usize, neighbour: usize| around[knot].iter().position(|&n| n == neighbour).expect("sides go both ways");
@@ -90,7 +91,7 @@ fn faces(around: &[Vec<usize>]) -> Vec<Vec<usize>> {
                 face.push(knot);
                 let next = around[knot][out];
                 let count = around[next].len();
-                // clockwise from where we came
+                // the next rope clockwise from the one on which the walk came
                 out = (place(next, knot) + count - 1) % count;
                 knot = next;
             }
@@ -102,7 +103,7 @@ fn faces(around: &[Vec<usize>]) -> Vec<Vec<usize>> {
     faces
 }
 
-/// Parts that no rope joins; knots without ropes are none.
+/// Number of connected parts; knots without ropes do not count.
 fn components(around: &[Vec<usize>]) -> usize {
     let mut seen = vec![false; around.len()];
     let mut count = 0;
@@ -155,18 +156,18 @@ mod tests {
             let net = cut_at(&web, 0.1);
             let total: f64 = areas(&net).iter().sum();
             let outline = web.reference_area().unwrap();
-            // double ropes along the outline: the outer one runs by a rope hexagon's inner radius beyond it
+            // the outer of two ropes along the outline lies up to a rope hexagon's inner radius outside it
             let border = 6.0 * 2.5 * plate * 0.75_f64.sqrt();
             assert!(total >= outline - 1e-9 && total <= outline + border + 1e-9, "{total} of {outline}");
         }
     }
 
     #[test]
-    fn a_lattice_of_canopies_has_triangles_gaps_between_double_ropes_and_the_canopies_themselves() {
+    fn the_cells_of_the_space_web_are_triangles_gaps_between_double_ropes_and_canopies() {
         let web = space(2.5, 0.14).unwrap();
         let net = cut_at(&web, 0.1);
         let areas = areas(&net);
-        // 54 triangles, 90 links of two ropes, 31 canopies; a link to a corner is a triangle, no less a cell
+        // 54 triangles, 90 gaps between the two ropes of a link, 31 canopies
         assert_eq!(areas.len(), 54 + 90 + 31);
         let canopy = 1.5 * 3.0_f64.sqrt() * 0.14 * 0.14;
         assert_eq!(areas.iter().filter(|area| (**area - canopy).abs() < 1e-9).count(), 31);
@@ -190,13 +191,13 @@ mod tests {
     }
 
     #[test]
-    fn a_loose_end_is_no_cell_and_does_not_hide_one() {
+    fn a_rope_with_a_loose_end_leaves_the_cells_as_they_are() {
         let net = small_graph(&[(0, 1), (1, 2), (2, 3), (3, 0), (2, 4)]);
         assert_eq!(areas(&net), [1.0]);
     }
 
     #[test]
-    fn ropes_that_cross_without_a_knot_leave_no_cells() {
+    fn a_web_with_ropes_that_cross_without_a_knot_has_no_cells() {
         let net = small_graph(&[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3), (2, 4)]);
         assert!(net.cells().is_empty());
     }

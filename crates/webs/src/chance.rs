@@ -1,9 +1,9 @@
-//! Random numbers: 53 bits of a seeded ChaCha8, the same on every machine.
+//! Uniform random numbers: 53 bits from a seeded ChaCha8 generator, the same on every machine.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// Distance between neighbouring random numbers of 53 bits.
+/// Spacing of the random numbers: they are multiples of 2^-53.
 const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
 
 /// A random number, uniform in [0, 1).
@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_fill_the_unit_interval_evenly_and_the_two_differ_by_a_step() {
+    fn numbers_are_uniform_and_those_above_zero_are_one_step_larger() {
         const COUNT: usize = 20_000;
         let (mut one, mut other) = (ChaCha8Rng::seed_from_u64(3), ChaCha8Rng::seed_from_u64(3));
         let numbers: Vec<f64> = (0..COUNT).map(|_| uniform(&mut one)).collect();

@@ -1,10 +1,10 @@
-//! The check of a web that a user has listed: every fault of it, at once.
+//! The check of a web that a user has listed: it finds all faults at once.
 
 use crate::{Web, WebError};
 
 impl Web {
-    /// Every fault of the web: no knots or no ropes, coordinates that are not numbers, ropes without a length, ropes that
-    /// end where they begin, and pieces that neither a rope nor a canopy joins.
+    /// All faults of the web: no knots or no ropes, coordinates that are not finite, ropes without a length or without
+    /// segments, ropes with both ends at one knot, and pieces that neither a rope nor a canopy joins.
     pub fn check(&self) -> Vec<WebError> {
         if self.knots.is_empty() || self.ropes.is_empty() {
             return vec![WebError::Empty { knots: self.knots.len(), ropes: self.ropes.len() }];
@@ -20,6 +20,7 @@ impl Web {
         problems
     }
 
+    /// The first fault of a rope.
     fn check_rope(&self, index: usize) -> Option<WebError> {
         let rope = &self.ropes[index];
         let label = rope.label.clone();
@@ -41,6 +42,7 @@ impl Web {
         }
     }
 
+    /// An error if the web is in several pieces.
     fn check_connected(&self) -> Option<WebError> {
         let mut pieces = Pieces::new(self.knots.len());
         for rope in &self.ropes {
@@ -59,19 +61,20 @@ impl Web {
     }
 }
 
-/// The connected pieces of a web: disjoint sets of knots. The first knot of a set stands for it.
+/// Connected pieces of a web: disjoint sets of knots, each represented by its first knot (union-find with path halving:
+/// Tarjan and van Leeuwen, J. ACM 31 (1984) 245-281).
 #[derive(Debug, Clone)]
 pub struct Pieces {
     parent: Vec<usize>,
 }
 
 impl Pieces {
-    /// Every knot is a piece of its own.
+    /// `count` knots, each a piece of its own.
     pub fn new(count: usize) -> Pieces {
         Pieces { parent: (0..count).collect() }
     }
 
-    /// The first knot of the piece that a knot belongs to.
+    /// The first knot of the piece to which `knot` belongs.
     pub fn root(&mut self, mut knot: usize) -> usize {
         while self.parent[knot] != knot {
             // halve the path on the way up

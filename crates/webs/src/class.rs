@@ -1,15 +1,15 @@
-//! Link classes: the groups of ropes that tensions and lengths are reported by.
+//! Link classes: the names under which tensions and lengths of ropes are reported.
 
 use std::fmt;
 
-/// The group that a rope belongs to, in the order in which groups are listed.
+/// The class of a rope. Results list classes in this order.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
     /// From a corner of the web to its tractor.
     Traction,
     /// Along the outline.
     Outline,
-    /// A second rope along the outline, as of a purse.
+    /// A second rope along the outline: the drawstring of a purse.
     Gathering,
     /// Along a closed line round the centre, inside the outline.
     Ring,
@@ -17,23 +17,23 @@ pub enum Class {
     Radial,
     /// Any other rope inside the outline.
     Inner,
-    /// A side of a hexagon of rope that takes a canopy's place.
+    /// A side of a rope hexagon, which stands in the place of a canopy.
     Hexagon,
-    /// A member that stands for a canopy's fabric; no [`crate::Web`] has such a rope, a model of its canopies may.
+    /// A member that stands for a canopy's fabric. A model of canopies has such members, a [`crate::Web`] never.
     Canopy,
-    /// A thread that holds a node where it is stowed until it breaks; no [`crate::Web`] has such a rope.
+    /// A thread that holds a node in its stowed place until the thread breaks; not part of a [`crate::Web`].
     Tie,
-    /// A thread that holds two folds together until it rips; no [`crate::Web`] has such a rope.
+    /// A thread that holds two folds together until the thread breaks; not part of a [`crate::Web`].
     Stitch,
     /// A class that the user named.
     Named(String),
 }
 
 impl Class {
-    /// The class of ropes of this name: a built-in one in any case of letters, else [`Class::Named`] with the name as given;
-    /// none where the name is that of a class without ropes.
+    /// The class of ropes with this name: a built-in class in upper or lower case, else [`Class::Named`] with the trimmed
+    /// name. None if the name belongs to a class without ropes.
     pub fn from_name(name: &str) -> Option<Class> {
-        let ours = [
+        let built_in = [
             Class::Traction,
             Class::Outline,
             Class::Gathering,
@@ -46,11 +46,11 @@ impl Class {
             Class::Stitch,
         ];
         let name = name.trim();
-        let known = ours.into_iter().find(|class| class.name().eq_ignore_ascii_case(name));
+        let known = built_in.into_iter().find(|class| class.name().eq_ignore_ascii_case(name));
         Some(known.unwrap_or_else(|| Class::Named(name.to_owned()))).filter(Class::is_rope)
     }
 
-    /// The class's name: a built-in one in lower case, a user's as given.
+    /// The class's name: a built-in name in lower case, a user's name as given.
     pub fn name(&self) -> &str {
         match self {
             Class::Traction => "traction",
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn no_rope_is_of_a_class_of_what_is_no_rope() {
+    fn classes_without_ropes_are_not_found_by_their_name() {
         for name in ["canopy", "Tie", " stitch"] {
             assert_eq!(Class::from_name(name), None, "{name}");
         }

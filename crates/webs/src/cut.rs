@@ -1,7 +1,7 @@
-//! A web cut into segments: the nodes that a model gives mass to.
+//! Cuts the ropes of a web into straight segments between nodes.
 //!
-//! Knots come first (node k is knot k); the nodes inside ropes follow rope by rope, contiguous and in order from `a`
-//! to `b`; nodes that a model adds, such as those inside sheets, are last.
+//! Order of nodes: first the knots (node k is knot k), then the nodes inside ropes, rope by rope and from `a` to `b`,
+//! then the nodes that a model adds, such as those inside sheets.
 
 use std::ops::Range;
 
@@ -9,34 +9,34 @@ use glam::DVec3;
 
 use crate::{Rope, Site, Web};
 
-/// The most segments that a web is cut into.
+/// Largest number of segments of a cut web.
 pub const MOST_SEGMENTS: usize = 50_000_000;
 
-/// How ropes are cut.
+/// How ropes are cut into segments of equal length.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cutting {
-    /// Into equal segments, in the whole number whose length is nearest to this one, m; [`Rope::segments`] overrules
-    /// it.
+    /// Desired length of a segment, m. The number of segments of a rope is its rest length over this length, rounded, and
+    /// at least 1; [`Rope::segments`] overrules it.
     SegmentLength(f64),
-    /// Into a given number of segments for each rope, (ropes,).
+    /// Number of segments of each rope, (ropes,).
     Counts(Vec<usize>),
 }
 
-/// A web cannot be cut.
+/// Why a web cannot be cut.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CutError {
-    /// The segment length is not a positive number.
+    /// The segment length is not positive and finite; its value, m.
     #[error("the segment length must be a positive length, not {0} m")]
     SegmentLength(f64),
-    /// The list of numbers of segments has another length than the list of ropes.
+    /// The list of numbers of segments is longer or shorter than the list of ropes.
     #[error("{counts} numbers of segments were given for {ropes} ropes")]
     Counts {
-        /// Numbers given.
+        /// Length of the list.
         counts: usize,
-        /// Ropes of the web.
+        /// Number of ropes of the web.
         ropes: usize,
     },
-    /// A rope has no segment.
+    /// The number of segments of a rope is 0; the rope's label.
     #[error("{0}: a rope has at least 1 segment, not 0")]
     NoSegments(String),
     /// The web would have more than [`MOST_SEGMENTS`] segments.
@@ -47,36 +47,36 @@ pub enum CutError {
     },
 }
 
-/// A rope as cut.
+/// A rope that is cut into segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutRope {
-    /// The first node inside the rope; there are `segments` - 1 of them.
+    /// The first of the `segments` - 1 nodes inside the rope.
     pub first_interior: usize,
-    /// Number of its segments.
+    /// Number of segments.
     pub segments: usize,
-    /// Length of each of its segments without tension, m.
+    /// Rest length of each segment, m.
     pub segment_length: f64,
 }
 
 impl CutRope {
-    /// The nodes between its knots.
+    /// The nodes inside the rope, without its knots.
     pub fn interior(&self) -> Range<usize> {
         self.first_interior..self.first_interior + self.segments - 1
     }
 }
 
-/// A piece of rope between two nodes.
+/// A straight piece of a rope between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutSegment {
-    /// Node it begins at.
+    /// Node at its beginning.
     pub a: usize,
-    /// Node it ends at.
+    /// Node at its end.
     pub b: usize,
-    /// The rope that it is part of.
+    /// Its rope, as an index into [`Web::ropes`].
     pub rope: usize,
-    /// Its number in the rope, from 0.
+    /// Number of the segment in its rope, from 0.
     pub place: usize,
-    /// Its length without tension, m.
+    /// Rest length, m.
     pub rest_length: f64,
 }
 
@@ -85,18 +85,19 @@ pub struct CutSegment {
 pub struct CutWeb {
     /// The web as designed.
     pub web: Web,
-    /// Positions of all nodes in the flat web, m.
+    /// Positions of all nodes in the flat web, m, (nodes,).
     pub nodes: Vec<DVec3>,
-    /// Its ropes as cut; one for each of the web's ropes, in the same order.
+    /// The cut ropes in the order of the web's ropes, (ropes,).
     pub ropes: Vec<CutRope>,
-    /// Canopy and label of each node that was added.
+    /// Canopy and label of each node that a model has added.
     added: Vec<(usize, String)>,
 }
 
-/// Cuts every rope into equal segments.
+/// Cuts every rope into segments of equal length.
 ///
 /// # Errors
-/// [`CutError`]: a length or a number of segments that cannot be.
+/// [`CutError`]: a segment length that is not positive, a list of another length than the ropes, a rope without
+/// segments, or more than [`MOST_SEGMENTS`] segments.
 pub fn cut(web: &Web, cutting: &Cutting) -> Result<CutWeb, CutError> {
     let counts = segment_counts(web, cutting)?;
     let mut nodes: Vec<DVec3> = web.knots.iter().map(|knot| knot.position).collect();
@@ -135,15 +136,15 @@ fn segment_counts(web: &Web, cutting: &Cutting) -> Result<Vec<usize>, CutError> 
 }
 
 impl CutWeb {
-    /// Adds a node to a canopy, at this place in the flat web, m; no rope runs through it. `label` is what a message calls
-    /// it.
-    pub fn add_node(&mut self, canopy: usize, place: DVec3, label: String) -> usize {
-        self.nodes.push(place);
+    /// Adds a node to a canopy and returns its index. `position` is in the flat web, m; `label` is its name in messages. No
+    /// rope runs through the node.
+    pub fn add_node(&mut self, canopy: usize, position: DVec3, label: String) -> usize {
+        self.nodes.push(position);
         self.added.push((canopy, label));
         self.nodes.len() - 1
     }
 
-    /// The nodes of each canopy: its hub, its corners, and those that were added to it.
+    /// The nodes of each canopy, (canopies,): its hub, its corners, and the nodes that a model has added.
     pub(crate) fn canopy_nodes(&self) -> Vec<Vec<usize>> {
         let canopies = self.web.canopies.iter();
         let mut nodes: Vec<Vec<usize>> =
@@ -161,7 +162,7 @@ impl CutWeb {
         std::iter::once(a).chain(self.ropes[rope].interior()).chain([b]).collect()
     }
 
-    /// All segments, rope by rope from `a` to `b`.
+    /// All segments, rope by rope, each rope from `a` to `b`.
     pub fn segments(&self) -> impl Iterator<Item = CutSegment> + '_ {
         self.ropes.iter().enumerate().flat_map(|(rope, cut)| {
             let Rope { a, b, .. } = self.web.ropes[rope];
@@ -181,7 +182,8 @@ impl CutWeb {
         })
     }
 
-    /// Which nodes are those of the web itself: not of its traction ropes, and no tractors at their ends.
+    /// Whether each node belongs to the web itself, (nodes,): false inside traction ropes and for the tractors at their
+    /// ends.
     pub fn is_web(&self) -> Vec<bool> {
         let mut is_web = vec![true; self.nodes.len()];
         for (tractor, ropes) in self.web.traction.iter().enumerate() {
@@ -198,7 +200,7 @@ impl CutWeb {
         self.ropes.iter().map(|rope| rope.segments).sum()
     }
 
-    /// The node nearest to a place on the web.
+    /// The node nearest to a site of the web, along its rope.
     pub fn node_of(&self, site: Site) -> usize {
         match site {
             Site::Knot(knot) => knot,
@@ -210,8 +212,8 @@ impl CutWeb {
         }
     }
 
-    /// What a message calls a node: its knot's label, "node 3 of traction rope 1" (nodes inside a rope count from 1),
-    /// or its own.
+    /// A node's name in messages: the label of its knot, "node 3 of traction rope 1" inside a rope (counted from 1), or
+    /// the label of an added node.
     pub fn node_label(&self, node: usize) -> String {
         if let Some(knot) = self.web.knots.get(node) {
             return knot.label.clone();
@@ -220,12 +222,12 @@ impl CutWeb {
         if node >= first_added {
             return self.added[node - first_added].1.clone();
         }
-        // the last rope to begin at or before this node has it: ropes of one segment begin where the next does
+        // the last rope whose first node inside comes no later: a rope of one segment has no node of its own there
         let rope = self.ropes.partition_point(|rope| rope.first_interior <= node) - 1;
         format!("node {} of {}", node - self.ropes[rope].first_interior + 1, self.web.ropes[rope].label)
     }
 
-    /// What a message calls a segment: "segment 12 of traction rope 3" (segments count from 1).
+    /// A segment's name in messages: "segment 12 of traction rope 3", counted from 1.
     pub fn segment_label(&self, segment: &CutSegment) -> String {
         format!("segment {} of {}", segment.place + 1, self.web.ropes[segment.rope].label)
     }
@@ -257,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn nodes_and_segments_are_called_what_a_person_would_call_them() {
+    fn labels_name_the_rope_and_count_its_nodes_and_segments_from_1() {
         let net = cut_net();
         let last = net.nodes.len() - 1;
         assert_eq!(net.node_label(last), "node 3 of traction rope 4");
@@ -281,14 +283,14 @@ mod tests {
     }
 
     #[test]
-    fn a_place_on_a_rope_is_its_nearest_node() {
+    fn a_site_on_a_rope_is_found_at_the_nearest_node() {
         let net = cut_net();
         let on = |fraction| net.node_of(Site::OnRope { rope: 0, fraction });
         assert_eq!([on(0.0), on(0.1), on(0.5), on(0.9), on(1.0)], [0, 0, 14, 1, 1]);
     }
 
     #[test]
-    fn a_prescribed_number_of_segments_and_a_rest_length_hold() {
+    fn a_rope_s_own_number_of_segments_and_rest_length_are_used() {
         let mut web = square(1.0, 0.5).unwrap();
         web.ropes[0].segments = Some(7);
         web.ropes[1].rest_length = Some(1.5);
@@ -298,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn impossible_cuts_are_refused() {
+    fn wrong_lengths_and_numbers_of_segments_are_refused() {
         let web = square(1.0, 0.5).unwrap();
         assert!(matches!(cut(&web, &Cutting::SegmentLength(0.0)), Err(CutError::SegmentLength(_))));
         assert!(matches!(cut(&web, &Cutting::SegmentLength(f64::NAN)), Err(CutError::SegmentLength(_))));

@@ -1,14 +1,14 @@
-//! Errors of a web: arguments out of range, and lists of knots and ropes that make no web.
+//! Errors of drawing a web: arguments out of range, and faults in a list of knots and ropes.
 
 use std::ops::RangeInclusive;
 
-/// A fault of a web. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
+/// Why a web cannot be drawn. Rows and positions in lists count from 0 in the fields, from 1 in the messages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WebError {
-    /// An argument has a value that no web can have.
+    /// An argument is out of its range.
     #[error("{fault}")]
     Argument {
-        /// The name of the argument, or of the field of an argument, such as "hub_diameter".
+        /// Name of the argument, or of its field, such as "hub_diameter".
         name: &'static str,
         /// What is wrong with its value.
         fault: String,
@@ -28,7 +28,7 @@ pub enum WebError {
         id: String,
         /// Position of the first node with this id in the list of nodes.
         first: usize,
-        /// Position of the second.
+        /// Position of the second node with this id.
         second: usize,
     },
     /// A coordinate is not a finite number.
@@ -48,7 +48,7 @@ pub enum WebError {
     /// The outline, the corners or the points name a node that does not exist.
     #[error("{list}: there is no node \"{id}\"")]
     UnknownReference {
-        /// Where it is named.
+        /// The list with the id: "outline", "corners" or "points".
         list: &'static str,
         /// The id that names no node.
         id: String,
@@ -56,12 +56,12 @@ pub enum WebError {
     /// The outline or the corners name a node twice.
     #[error("{list}: node \"{id}\" is named twice")]
     Repeated {
-        /// Where it is named.
+        /// The list with the id: "outline" or "corners".
         list: &'static str,
         /// The id named twice.
         id: String,
     },
-    /// An outline needs three knots to enclose an area.
+    /// The outline has fewer than three knots and encloses no area.
     #[error("an outline needs at least 3 knots, not {count}")]
     OutlineTooShort {
         /// The number of knots named.
@@ -77,7 +77,7 @@ pub enum WebError {
         /// The knot's label.
         knot: String,
     },
-    /// A rope joins two knots at the same place and has no length of its own.
+    /// A rope without a rest length of its own joins two knots at the same place.
     #[error("{label} has no length: {a} and {b} are at the same place")]
     ZeroLength {
         /// Position of the rope in the web's ropes.
@@ -112,7 +112,7 @@ pub enum WebError {
     Disconnected {
         /// Label of a knot in one piece.
         a: String,
-        /// Label of a knot in another.
+        /// Label of a knot in another piece.
         b: String,
         /// The number of pieces.
         pieces: usize,
@@ -120,8 +120,8 @@ pub enum WebError {
     /// The web has no corners to tie tractors to.
     #[error("the web names no corners, so there is nothing to tie tractors to")]
     NoCorners,
-    /// A corner lies at the middle of the web, so that its traction rope has no direction.
-    #[error("{corner} lies at the middle of the web, so its traction rope has no direction to run in")]
+    /// A corner lies at the middle of the web, where no direction points outwards for its traction rope.
+    #[error("{corner} lies at the middle of the web, so its traction rope has no direction")]
     CornerInTheMiddle {
         /// Label of the corner's knot.
         corner: String,
@@ -132,7 +132,7 @@ pub enum WebError {
 }
 
 impl WebError {
-    /// The name of the argument that it is about; none for a fault of a net that is listed knot by knot.
+    /// The name of the argument at fault; none for a fault in a list of knots and ropes.
     pub fn argument_name(&self) -> Option<&'static str> {
         match self {
             WebError::Argument { name, .. } => Some(name),
@@ -140,7 +140,7 @@ impl WebError {
         }
     }
 
-    /// The fault of an argument.
+    /// An [`WebError::Argument`].
     pub(crate) fn argument(name: &'static str, fault: String) -> WebError {
         WebError::Argument { name, fault }
     }
@@ -151,7 +151,7 @@ pub(crate) fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// An error unless an argument is a positive, finite length, m. `what` names it in the message.
+/// Checks that an argument is a positive, finite length, m. `what` names it in the message.
 pub(crate) fn positive(name: &'static str, what: &str, value: f64) -> Result<(), WebError> {
     if value > 0.0 && value.is_finite() {
         Ok(())
@@ -160,7 +160,7 @@ pub(crate) fn positive(name: &'static str, what: &str, value: f64) -> Result<(),
     }
 }
 
-/// An error unless an argument lies in the range given. `what` names it in the message.
+/// Checks that an argument lies in a range. `what` names it in the message.
 pub(crate) fn in_range(
     name: &'static str,
     what: &str,
@@ -175,7 +175,7 @@ pub(crate) fn in_range(
     }
 }
 
-/// For tests: the argument that a web is refused for.
+/// For tests: the name of the argument at fault; none if the web was drawn.
 #[cfg(test)]
 pub(crate) fn refused<T>(drawn: Result<T, WebError>) -> Option<&'static str> {
     match drawn {

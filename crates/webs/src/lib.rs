@@ -1,4 +1,5 @@
-//! Webs: drawn as knots, ropes and canopies, cut into segments, packed for the launch, and billed.
+//! Geometry of a web: draws it as knots, ropes and canopies, cuts it into segments, packs it for the launch, and lists
+//! its parts.
 //!
 //! ```text
 //! square(..) traditional(..)   ──▶ Web ──with_traction──▶ Web ──cut──▶ CutWeb ──Pattern::pack──▶ positions
@@ -10,8 +11,8 @@
 //! Units are SI. Nothing here reads or writes a file. A web is drawn flat in the plane z = 0. A packed web lies in the
 //! launch frame: its +z is the launch axis, its plane z = 0 the muzzle.
 //!
-//! All of this is geometry, with one exception: [`Prescribed`] lets a web settle in its container under gravity, by
-//! position-based dynamics (`packing/position_based/`). A run takes positions from it, and no velocity or force.
+//! One part of the crate is not pure geometry: [`Prescribed`] lets a web settle in its container under gravity, by
+//! position-based dynamics (`packing/position_based/`). A run takes only the positions from it, no velocity or force.
 //!
 //! ```
 //! use netcast_webs::{Bag, Cutting, Pattern, cut, space};

@@ -11,7 +11,7 @@ use crate::{Class, vector_area};
 pub struct Knot {
     /// Name, unique in the web; in a graph, the id that the user gave.
     pub name: String,
-    /// Its name in messages, such as "knot 12" or "corner 3 of canopy 14".
+    /// Name in messages, such as "knot 12" or "corner 3 of canopy 14".
     pub label: String,
     /// Position in the flat web, m.
     pub position: DVec3,
@@ -28,24 +28,24 @@ impl Knot {
 /// A rope from one knot to another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rope {
-    /// The knot it begins at, as an index into [`Web::knots`].
+    /// Knot at its beginning, as an index into [`Web::knots`].
     pub a: usize,
-    /// The knot it ends at.
+    /// Knot at its end, as an index into [`Web::knots`].
     pub b: usize,
-    /// Link class that its tension is reported by.
+    /// Link class under which its tension is reported.
     pub class: Class,
-    /// Its name in messages, such as "radial rope 7".
+    /// Name in messages, such as "radial rope 7".
     pub label: String,
-    /// Rest length, m; none where it is the distance between the two knots.
+    /// Rest length, m; none: the distance between its two knots.
     pub rest_length: Option<f64>,
-    /// Prescribed number of segments; none where [`crate::Cutting`] decides.
+    /// Number of segments; none: [`crate::Cutting`] decides.
     pub segments: Option<usize>,
 }
 
 /// A hexagonal plate: a hub in its centre and six rim knots, anticlockwise from the direction of the x axis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Canopy {
-    /// The knot in its centre.
+    /// The knot in the centre.
     pub hub: usize,
     /// The knots at its corners, to which ropes are tied.
     pub rim: [usize; 6],
@@ -53,7 +53,7 @@ pub struct Canopy {
     pub carries_payload: bool,
     /// Its number, from 1.
     pub number: usize,
-    /// Whether it is the one in the middle of the web.
+    /// Whether it stands in the centre of the web.
     pub is_centre: bool,
 }
 
@@ -74,33 +74,33 @@ pub enum Site {
 /// A web as designed: flat, before it is cut, packed or loaded.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Web {
-    /// Knots, (knots,).
+    /// All knots, (knots,).
     pub knots: Vec<Knot>,
-    /// Ropes, (ropes,).
+    /// All ropes, (ropes,).
     pub ropes: Vec<Rope>,
     /// Hexagonal plates in the order of their numbers.
     pub canopies: Vec<Canopy>,
-    /// The closed outline in order; each vertex is the mean of its knots: a canopy's hub, a rope hexagon's six
-    /// corners, or one knot.
+    /// Vertices of the closed outline in order, (vertices,). A vertex lies at the mean of its knots: a canopy's hub, a
+    /// rope hexagon's six corners, or one knot.
     pub outline: Vec<Vec<usize>>,
-    /// The knots that tractors are tied to.
+    /// Knots for tractors, (corners,).
     pub corners: Vec<usize>,
-    /// The knot of each corner's tractor; none before [`Web::with_traction`], the corners where traction
-    /// ropes have no length.
+    /// The knot of each corner's tractor, (corners,); empty before [`Web::with_traction`]. Without traction ropes these
+    /// are the corners themselves.
     pub tractors: Vec<usize>,
-    /// The traction ropes of each corner; none where tractors are tied straight to the corners.
+    /// Traction ropes of each corner, (corners,); empty where tractors are tied straight to the corners.
     pub traction: Vec<Vec<usize>>,
-    /// The centre of the web is the mean of these knots.
+    /// Knots whose mean is the centre of the web.
     pub centre: Vec<usize>,
-    /// Where the launch axis pierces the flat web, m: the origin; in a graph, the mean of its outline (without one,
-    /// of its knots).
+    /// Where the launch axis pierces the flat web, m: the origin; in a graph, the mean of its outline or, without an
+    /// outline, of its knots.
     pub middle: DVec3,
     /// Feature points by name; "B" is the bottom of the stowed web.
     pub points: BTreeMap<String, Site>,
 }
 
 impl Web {
-    /// The knot of this name.
+    /// The knot with this name.
     pub fn knot_named(&self, name: &str) -> Option<usize> {
         self.knots.iter().position(|knot| knot.name == name)
     }
@@ -110,12 +110,12 @@ impl Web {
         self.knots[rope.a].position.distance(self.knots[rope.b].position)
     }
 
-    /// Length of a rope without tension, m: its own where it has one, else as drawn.
+    /// Rest length of a rope, m: its own if it has one, else its length as drawn.
     pub fn rest_length(&self, rope: &Rope) -> f64 {
         rope.rest_length.unwrap_or_else(|| self.drawn_length(rope))
     }
 
-    /// Length of the ropes of each class that the web has, m.
+    /// Total rest length of the ropes in each class, m; classes without ropes are left out.
     pub fn rope_length_by_class(&self) -> BTreeMap<Class, f64> {
         let mut lengths = BTreeMap::new();
         for rope in &self.ropes {
@@ -124,7 +124,7 @@ impl Web {
         lengths
     }
 
-    /// Where a place lies in the flat web, m.
+    /// Position of a site in the flat web, m.
     pub fn position(&self, site: Site) -> DVec3 {
         match site {
             Site::Knot(knot) => self.knots[knot].position,
@@ -135,27 +135,25 @@ impl Web {
         }
     }
 
-    /// The mean position of some knots in the flat web, m.
+    /// Mean position of these knots in the flat web, m.
     pub fn mean_position(&self, knots: &[usize]) -> DVec3 {
         knots.iter().map(|&knot| self.knots[knot].position).sum::<DVec3>() / knots.len() as f64
     }
 
-    /// Area that the flat web's outline encloses, m^2: the magnitude of its vector area; none where the web has no
-    /// outline.
+    /// Area inside the flat web's outline, m^2: the magnitude of its vector area; none without an outline.
     pub fn reference_area(&self) -> Option<f64> {
         let vertices: Vec<DVec3> = self.outline.iter().map(|knots| self.mean_position(knots)).collect();
         (vertices.len() >= 3).then(|| vector_area(&vertices).length())
     }
 
-    /// Area of the polygon of the tractors of the flat web, m^2; none with fewer than three.
+    /// Area of the polygon of tractors about the flat web, m^2; none with fewer than three tractors.
     pub fn tractor_area(&self) -> Option<f64> {
         let ring: Vec<DVec3> = self.tractor_ring().iter().map(|&knot| self.knots[knot].position).collect();
         (ring.len() >= 3).then(|| vector_area(&ring).length())
     }
 
-    /// The tractors' knots in the order in which they stand round the middle,
-    /// anticlockwise from the first: their polygon is then simple even where a user named the corners in another
-    /// order.
+    /// The tractors' knots anticlockwise round the middle, beginning with the first tractor. In this order their polygon
+    /// does not cross itself, in whatever order a user named the corners.
     pub fn tractor_ring(&self) -> Vec<usize> {
         let angle = |knot: usize| {
             let arm = self.knots[knot].position - self.middle;
@@ -169,8 +167,7 @@ impl Web {
         ring
     }
 
-    /// Distance from the middle, in the web's plane, of the farthest knot, m; tractors on traction ropes are not
-    /// counted.
+    /// Distance from the middle to the farthest knot in the web's plane, m; tractors on traction ropes do not count.
     pub fn radius(&self) -> f64 {
         let on_traction_ropes = |knot: &usize| !self.traction.is_empty() && self.tractors.contains(knot);
         (0..self.knots.len())
