@@ -1,11 +1,12 @@
-//! The diamond net: rhombic meshes, as of knotted fishing nets, hung in a rectangular border.
+//! The diamond net: rhombic meshes, as in a knotted fishing net, hung in a rectangular border.
 //!
 //! ```text
 //!   w = 2 b E      h = 2 b sqrt(1 - E^2)      E = sin(angle / 2)
 //! ```
-//! with b the bar, from knot to knot; w and h the width and height of a mesh; E the hanging ratio, the length of border
-//! per length of netting stretched out along it; angle the mesh's own at its upper and lower knot. (Fridman,
-//! Calculations for Fishing Gear Designs, FAO 1986: primary and secondary hanging ratio, E1^2 + E2^2 = 1.)
+//! Here b is the bar, the side of a mesh from knot to knot; w and h are the width and height of a mesh; angle is the
+//! mesh's angle at its upper and lower knot. E is the hanging ratio: the length of the border over the length of the
+//! netting stretched out along it. (Fridman, Calculations for Fishing Gear Designs, FAO 1986: primary and secondary
+//! hanging ratio, E1^2 + E2^2 = 1.)
 
 use std::collections::BTreeMap;
 
@@ -20,13 +21,13 @@ const MOST_MESHES: usize = 1000;
 /// A diamond net.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diamond {
-    /// The side of a mesh, from knot to knot, m.
+    /// Side of a mesh, from knot to knot, m.
     pub mesh: f64,
-    /// The hanging ratio: width of a mesh over twice its side, more than 0 and less than 1.
+    /// Hanging ratio: width of a mesh over twice its side, more than 0 and less than 1.
     pub hanging_ratio: f64,
-    /// Meshes across the width.
+    /// Number of meshes across the width, 1 to 1000.
     pub meshes_wide: usize,
-    /// Meshes across the height.
+    /// Number of meshes across the height, 1 to 1000.
     pub meshes_high: usize,
 }
 
@@ -34,7 +35,7 @@ impl Diamond {
     /// Width and height of a mesh, m.
     pub fn opening(&self) -> [f64; 2] {
         let ratio = self.hanging_ratio;
-        // (1 - E) (1 + E), not 1 - E^2: exact where E is nearly 1
+        // (1 - E) (1 + E), not 1 - E^2, which cancels where E is nearly 1
         [ratio, ((1.0 - ratio) * (1.0 + ratio)).sqrt()].map(|share| 2.0 * self.mesh * share)
     }
 
@@ -45,14 +46,14 @@ impl Diamond {
     }
 }
 
-/// The diamond net with a rope along its border, which is tied to every knot there.
+/// Draws the diamond net, with a border rope that is tied to every knot along it.
 ///
-/// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: outline, the border;
-/// inner, the bars. Feature points: B the knot nearest the centre (the lowest of four as near), C the upper right corner,
-/// D a knot half way between.
+/// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: the border is outline,
+/// the bars are inner. Feature points: B is the knot nearest to the centre (of four, the lowest), C the upper right
+/// corner, D a knot half way between.
 ///
 /// # Errors
-/// [`WebError::Argument`]: any field of [`Diamond`].
+/// [`WebError::Argument`]: a field of [`Diamond`] is out of its range.
 pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     let &Diamond { mesh, hanging_ratio, meshes_wide: m, meshes_high: n } = net;
     positive("mesh", "the mesh", mesh)?;
@@ -63,7 +64,7 @@ pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     in_range("meshes_wide", "the number of meshes across the width", m, 1..=MOST_MESHES)?;
     in_range("meshes_high", "the number of meshes across the height", n, 1..=MOST_MESHES)?;
 
-    // knots in steps of half a mesh: i to the right, j upwards, both even or both odd
+    // i counts half meshes to the right, j half meshes upwards; at a knot both are even or both odd
     let knot = |i: usize, j: usize| j / 2 * (2 * m + 1) + j % 2 * (m + 1) + i / 2;
     let [width, height] = net.opening();
     let coordinate = |step: usize, half: usize, size: f64| (step as i64 - half as i64) as f64 * (0.5 * size);
@@ -88,7 +89,7 @@ pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     let closed: Vec<usize> = border.iter().chain(&border[..1]).copied().collect();
     let mut ropes = RopeList::default();
     ropes.tie_along(&closed, Class::Outline);
-    // twines run along the diagonals of the net, turning back at the border: row by row of bars
+    // bars row by row: each row is a zigzag from the left border to the right
     for j in 0..2 * n {
         let zigzag: Vec<usize> = (0..=2 * m).map(|i| knot(i, j + (i + j) % 2)).collect();
         ropes.tie_along(&zigzag, Class::Inner);
@@ -96,7 +97,7 @@ pub fn diamond(net: &Diamond) -> Result<Web, WebError> {
     web.ropes = ropes.into_ropes();
     web.outline = border.into_iter().map(|knot| vec![knot]).collect();
 
-    // where no knot lies in the centre, a mesh does
+    // the centre is a knot or the middle of a mesh
     let is_knot = (m + n).is_multiple_of(2);
     web.centre =
         if is_knot { vec![knot(m, n)] } else { vec![knot(m, n - 1), knot(m - 1, n), knot(m + 1, n), knot(m, n + 1)] };
@@ -123,7 +124,7 @@ mod tests {
     const NET: Diamond = Diamond { mesh: 0.1, hanging_ratio: 0.6, meshes_wide: 30, meshes_high: 20 };
 
     #[test]
-    fn a_net_of_thirty_by_twenty_meshes() {
+    fn a_net_of_thirty_by_twenty_meshes_has_its_counts_lengths_and_area() {
         let web = diamond(&NET).unwrap();
         // 3-4-5: meshes 0.12 m wide and 0.16 m high
         let [width, height] = NET.size();
@@ -141,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn at_a_right_angle_meshes_are_squares_on_end() {
+    fn at_a_hanging_ratio_of_1_over_sqrt_2_meshes_are_squares() {
         let net = Diamond { hanging_ratio: 0.5_f64.sqrt(), ..NET };
         let [width, height] = net.opening();
         assert!((width - height).abs() < 1e-15 && (width - 0.1 * 2.0_f64.sqrt()).abs() < 1e-15);
@@ -161,7 +162,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn counts_lengths_area_cells_and_symmetry(
+        fn every_diamond_net_has_its_counts_lengths_area_cells_and_symmetry(
             mesh in 0.01..2.0_f64,
             hanging_ratio in 0.02..0.98_f64,
             meshes_wide in 1..20_usize,
@@ -183,7 +184,7 @@ mod tests {
             prop_assert!(is(length[&Class::Inner], 4.0 * m * n * mesh));
             prop_assert!(is(length[&Class::Outline], 2.0 * (m * width + n * height)));
             prop_assert!(is(web.reference_area().unwrap(), m * width * n * height));
-            // every bar as long as the next
+            // all bars have the same length
             let bars = web.ropes.iter().filter(|rope| rope.class == Class::Inner);
             prop_assert!(bars.map(|rope| web.drawn_length(rope)).all(|length| is(length, mesh)));
 

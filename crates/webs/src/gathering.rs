@@ -1,18 +1,18 @@
-//! A gathering rope: the drawstring of a purse, a second rope along the border.
+//! A gathering rope: the drawstring of a purse, a second rope along the outline.
 //!
-//! A drawstring slides in its rings, which is contact. Here it lies along the outline and is tied to every so many of its
-//! knots; between two ties it is longer than the outline there by a chosen share.
+//! A real drawstring slides in rings. Here there is no contact: the rope is tied to every n-th knot of the outline, and
+//! between two ties it is longer than the outline by a chosen share.
 
 use crate::rope_list::RopeList;
 use crate::{Class, Web, WebError};
 
 impl Web {
-    /// The web with a gathering rope round its outline, tied to the corners and between them to every `every`-th knot;
-    /// its pieces are straight as drawn and longer by the share `excess` of that. Class: gathering.
+    /// The web with a gathering rope round its outline. The rope is tied to the corners and between them to every
+    /// `every`-th knot. Its rest length between two ties is their distance times (1 + `excess`). Class: gathering.
     ///
     /// # Errors
-    /// [`WebError::Argument`]: a negative `excess`; an `every` that does not divide the knots of a side, and any `every`
-    /// where the outline does not begin at a corner or has vertices that are no knots.
+    /// [`WebError::Argument`]: `excess` is negative or not finite; `every` does not divide the number of meshes of a
+    /// side; the outline does not begin at a corner, or a vertex of it has several knots.
     pub fn with_gathering(mut self, every: usize, excess: f64) -> Result<Web, WebError> {
         if !(excess >= 0.0 && excess.is_finite()) {
             let fault = format!("the excess of a gathering rope must be 0 or more, not {excess}");
@@ -55,7 +55,7 @@ mod tests {
     use crate::{Bag, Cutting, Pattern, cut, square, topological};
 
     #[test]
-    fn a_drawstring_tied_to_every_second_knot() {
+    fn a_rope_tied_to_every_second_knot_has_its_pieces_labels_and_length() {
         let plain = square(5.0, 0.5).unwrap();
         let web = plain.clone().with_gathering(2, 0.1).unwrap();
         let of = |class| web.ropes.iter().filter(|rope| rope.class == class).collect::<Vec<_>>();
@@ -63,13 +63,13 @@ mod tests {
         assert_eq!((pieces.len(), pieces[0].label.as_str()), (20, "gathering rope 1"));
         assert!(pieces.iter().all(|rope| (web.drawn_length(rope) - 1.0).abs() < 1e-12));
         assert!((web.rope_length_by_class()[&Class::Gathering] - 22.0).abs() < 1e-12);
-        // nothing else is changed
+        // the rest of the web is unchanged
         assert_eq!((&web.knots, &web.ropes[..220], &web.points), (&plain.knots, &plain.ropes[..], &plain.points));
         assert_eq!(web.check(), []);
     }
 
     #[test]
-    fn the_meshes_stay_the_cells() {
+    fn a_gathering_rope_adds_no_cells() {
         for (every, excess) in [(1, 0.0), (2, 0.3), (10, 0.0)] {
             let web = square(5.0, 0.5).unwrap().with_gathering(every, excess).unwrap();
             let net = cut(&web, &Cutting::SegmentLength(0.25)).unwrap();
@@ -89,13 +89,13 @@ mod tests {
         for excess in [-0.1, f64::NAN, f64::INFINITY] {
             assert_eq!(refused(net().with_gathering(2, excess)), Some("excess"));
         }
-        // six knots stand for a vertex of this outline
+        // a vertex of this outline has six knots
         assert!(topological(2.5, 0.14).unwrap().with_gathering(1, 0.1).is_err());
     }
 
     proptest! {
         #[test]
-        fn length_symmetry_and_packing(share in 1..6_usize, ties in 1..6_usize, excess in 0.0..0.5_f64) {
+        fn a_gathering_rope_has_its_length_keeps_the_symmetry_and_is_not_stretched_in_a_bag(share in 1..6_usize, ties in 1..6_usize, excess in 0.0..0.5_f64) {
             let side = (share * ties) as f64;
             let web = square(side, 1.0).unwrap().with_gathering(share, excess).unwrap();
             let length = web.rope_length_by_class()[&Class::Gathering];

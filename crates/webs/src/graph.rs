@@ -1,4 +1,4 @@
-//! Any net: knots and ropes one by one, as a user lists them.
+//! A web of any shape, from a user's list of nodes and ropes.
 
 use std::collections::BTreeMap;
 
@@ -7,56 +7,57 @@ use glam::DVec3;
 use crate::rope_list::RopeList;
 use crate::{Class, Knot, Rope, Site, Web, WebError};
 
-/// Knots within this distance of the nearest to the middle share the centre, relative to the web's radius.
+/// Two knots are equally near to the middle if their distances differ by less than this share of the web's radius.
 const SAME_DISTANCE: f64 = 1e-9;
 
-/// A knot of a net.
+/// A node of a listed net: a knot of the web.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GraphNode {
-    /// Its id: no other node has it.
+    /// Id, unique in the net.
     pub id: String,
-    /// Where it lies, m.
+    /// Position, m.
     pub position: DVec3,
 }
 
-/// A rope of a net.
+/// A rope of a listed net.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct GraphRope {
-    /// Id of the node it begins at.
+    /// Id of the node at its beginning.
     pub a: String,
-    /// Id of the node it ends at.
+    /// Id of the node at its end.
     pub b: String,
-    /// Its class; without one, outline where it joins two neighbours of the outline and inner elsewhere.
+    /// Link class; none: outline between two neighbours of the outline, else inner.
     pub class: Option<Class>,
-    /// What messages call it; without one, after its class and its number in it.
+    /// Name in messages; none: its class and its number in the class, as in "inner rope 7".
     pub label: Option<String>,
-    /// Length without tension, m; without one, the distance between its nodes.
+    /// Rest length, m; none: the distance between its nodes.
     pub rest_length: Option<f64>,
-    /// Number of segments it is cut into where that is prescribed.
+    /// Number of segments; none: [`crate::Cutting`] decides.
     pub segments: Option<usize>,
 }
 
-/// A net as listed.
+/// A list of nodes and ropes, with the outline, the corners and the feature points.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Graph {
-    /// Its knots; the web's first knots are these, in this order.
+    /// Nodes; they become the first knots of the web, in this order.
     pub nodes: Vec<GraphNode>,
-    /// Its ropes; the web's first ropes are these, in this order.
+    /// Ropes; they become the first ropes of the web, in this order.
     pub ropes: Vec<GraphRope>,
-    /// Ids along the closed outline, in order; the first may be repeated at the end. Empty: areas are not known.
+    /// Ids along the closed outline, in order; the first may be repeated at the end. Without an outline the web has no
+    /// area.
     pub outline: Vec<String>,
-    /// Ids of the nodes that tractors are tied to.
+    /// Ids of the nodes for tractors.
     pub corners: Vec<String>,
-    /// Feature points: ids by name.
+    /// Feature points: the id of a node by the name of the point.
     pub points: BTreeMap<String, String>,
 }
 
-/// The web of a listed net, with nodes where the user put them. Its middle is the mean of its outline (without one,
-/// of its nodes), its centre the node nearest to that, or all nodes as near.
+/// Draws the web of a listed net, with its nodes where the user put them. The web's middle is the mean of its outline or,
+/// without an outline, of its nodes. Its centre is the node nearest to the middle, or all nodes that are equally near.
 ///
 /// # Errors
-/// All that is wrong with the net: ids that are missing, doubled or unknown; then, once every id is known, whatever
-/// [`Web::check`] finds.
+/// All faults of the net. First ids that are doubled or unknown, and an outline with fewer than three nodes; if there are
+/// none of these, the faults that [`Web::check`] finds.
 pub fn graph(graph: &Graph) -> Result<Web, Vec<WebError>> {
     let mut problems = Vec::new();
     let mut index: BTreeMap<&str, usize> = BTreeMap::new();
@@ -122,7 +123,7 @@ pub fn graph(graph: &Graph) -> Result<Web, Vec<WebError>> {
     if problems.is_empty() { Ok(web) } else { Err(problems) }
 }
 
-/// The knots that a list of ids names; ids that are unknown or named twice are problems.
+/// The knots with the ids of a list. Ids that are unknown or named twice are added to `problems`.
 fn known(
     list: &'static str,
     ids: &[String],
@@ -140,6 +141,7 @@ fn known(
     knots
 }
 
+/// The ropes of the web. `ends` are the two knots of each rope, (ropes,).
 fn tie(graph: &Graph, ends: &[(usize, usize)], outline: &[usize]) -> Vec<Rope> {
     // each knot's place along the outline
     let place: BTreeMap<usize, usize> = outline.iter().enumerate().map(|(place, &knot)| (knot, place)).collect();
@@ -163,19 +165,20 @@ fn tie(graph: &Graph, ends: &[(usize, usize)], outline: &[usize]) -> Vec<Rope> {
     ropes
 }
 
+/// The knot nearest to the middle, or all knots that are equally near.
 fn nearest_to_middle(web: &Web) -> Vec<usize> {
     let distance = |knot: &usize| web.knots[*knot].position.distance(web.middle);
     let knots = 0..web.knots.len();
     let nearest = knots.clone().map(|knot| distance(&knot)).fold(f64::INFINITY, f64::min);
-    let most = nearest + SAME_DISTANCE * web.radius();
-    knots.filter(|knot| distance(knot) <= most).collect()
+    let limit = nearest + SAME_DISTANCE * web.radius();
+    knots.filter(|knot| distance(knot) <= limit).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A square of four ropes round a knot in the middle, which two ropes hold.
+    /// A square of four ropes, with a knot in its middle that two more ropes hold.
     fn kite() -> Graph {
         let node = |id: &str, x: f64, y: f64| GraphNode { id: id.into(), position: DVec3::new(x, y, 1.0) };
         let rope = |a: &str, b: &str| GraphRope { a: a.into(), b: b.into(), ..GraphRope::default() };
@@ -195,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kite_is_read_as_drawn() {
+    fn a_kite_has_the_middle_area_and_labels_that_its_list_implies() {
         let web = graph(&kite()).unwrap();
         assert_eq!(web.middle, DVec3::new(10.0, 5.0, 1.0));
         assert_eq!(web.centre, [4]);
@@ -210,9 +213,9 @@ mod tests {
     }
 
     #[test]
-    fn tractors_are_taken_round_the_web_whatever_their_order() {
+    fn the_ring_of_tractors_does_not_depend_on_the_order_of_the_corners() {
         let web = graph(&kite()).unwrap().with_traction(1.0, 1).unwrap();
-        // corners named as east, west, north, south; the tractors' square has a half diagonal of 3 m
+        // the corners are listed as east, west, north, south; the square of tractors has a half diagonal of 3 m
         assert_eq!(web.tractor_ring(), [0, 2, 1, 3].map(|corner: usize| web.tractors[corner]));
         assert!((web.tractor_area().unwrap() - 18.0).abs() < 1e-12);
     }
@@ -241,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn loops_coincident_knots_and_loose_pieces_are_reported_at_once() {
+    fn faults_of_ropes_and_separate_pieces_are_reported_at_once() {
         let mut net = kite();
         net.nodes[3].position = net.nodes[2].position;
         net.ropes[0].b = "e".into();

@@ -1,5 +1,5 @@
-//! The triangular lattice that the topological and the space web share: a hexagon cut into equilateral triangles,
-//! three to a side.
+//! The triangular lattice of the topological web and the space web: a hexagon cut into equilateral triangles, three along
+//! each side.
 
 use std::collections::BTreeMap;
 
@@ -7,19 +7,48 @@ use glam::DVec3;
 
 use crate::Class;
 
-/// Lattice links along a side of the hexagon: its "frequency".
+/// Number of links along a side of the hexagon: the lattice's frequency.
 const FREQUENCY: i32 = 3;
 
-/// Steps to a knot's six neighbours. A site of the lattice has the coordinates (q, r), in links along the directions of 30
-/// and 90 degrees; step k points to 30 + 60 k degrees.
-const STEPS: [(i32, i32); 6] = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
+/// A place for a knot: its coordinates along the directions of 30 and 90 degrees, in links.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct LatticeSite {
+    q: i32,
+    r: i32,
+}
 
-/// What stands on a lattice knot.
+impl LatticeSite {
+    const CENTRE: LatticeSite = LatticeSite { q: 0, r: 0 };
+
+    /// The neighbour at 30 + 60 `direction` degrees.
+    fn neighbour(self, direction: usize) -> LatticeSite {
+        let (q, r) = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)][direction % 6];
+        LatticeSite { q: self.q + q, r: self.r + r }
+    }
+
+    /// Number of links from the centre.
+    fn ring(self) -> i32 {
+        self.q.abs().max(self.r.abs()).max((self.q + self.r).abs())
+    }
+
+    /// Whether it lies on one of the three lattice lines through the centre.
+    fn is_on_axis(self) -> bool {
+        self.q == 0 || self.r == 0 || self.q + self.r == 0
+    }
+
+    /// Position, in links: x = sqrt(3)/2 q, y = q/2 + r.
+    fn position(self) -> DVec3 {
+        let (q, r) = (f64::from(self.q), f64::from(self.r));
+        DVec3::new(0.75_f64.sqrt() * q, 0.5 * q + r, 0.0)
+    }
+}
+
+/// What stands on a knot of the lattice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Occupant {
-    /// A plate (canopy or rope hexagon) of this number, from 1.
+    /// The plate (canopy or rope hexagon) with this number, from 1.
     Plate(usize),
-    /// The bare corner of this number, from 1.
+    /// The bare web corner with this number, from 1.
     Corner(usize),
 }
 
@@ -27,54 +56,57 @@ pub(crate) enum Occupant {
 pub(crate) struct LatticeKnot {
     pub(crate) position: DVec3,
     pub(crate) occupant: Occupant,
-    /// The lattice hexagon that it stands on: 0 for the centre, [`FREQUENCY`] for the outline.
+    /// Number of links from the centre: 0 in the centre, [`FREQUENCY`] on the outline.
     pub(crate) ring: i32,
 }
 
-/// A link between two neighbouring knots. The ring of `a` is never the outer one of the two.
+/// A link between two neighbouring knots. Knot `a` lies on the same ring as knot `b`, or on the ring inside it.
 pub(crate) struct LatticeLink {
     pub(crate) a: usize,
     pub(crate) b: usize,
-    /// From a to b is 30 + 60 `direction` degrees.
+    /// The link points from `a` to `b` at 30 + 60 `direction` degrees.
     pub(crate) direction: usize,
     pub(crate) class: Class,
 }
 
-/// Knots: plates in the order of their numbers (the outline's, then ring by ring inwards, the centre's last; each
-/// ring anticlockwise from 30 degrees), then the six corners. Links: class by class.
+/// The lattice of a web.
 pub(crate) struct Lattice {
+    /// Length of a link, m.
     pub(crate) spacing: f64,
+    /// Plates in the order of their numbers, then the six corners. Plates are numbered from the outline inwards, ring by
+    /// ring, each ring anticlockwise from 30 degrees.
     pub(crate) knots: Vec<LatticeKnot>,
+    /// Links, class by class.
     pub(crate) links: Vec<LatticeLink>,
     /// The knots of the outline, anticlockwise from the corner at 30 degrees.
     pub(crate) outline: Vec<usize>,
 }
 
-/// The lattice in a hexagon of this side, m.
+/// The lattice in a hexagon with this side, m.
 pub(crate) fn lattice(side: f64) -> Lattice {
     let spacing = side / f64::from(FREQUENCY);
     let rings = (1..=FREQUENCY).rev().map(ring);
 
-    // plates from the outline inwards, then the corners that have none
-    let is_corner = |&(q, r): &(i32, i32)| ring_of((q, r)) == FREQUENCY && is_on_axis((q, r));
-    let walk: Vec<(i32, i32)> = rings.flatten().chain([(0, 0)]).collect();
+    // plates from the outline inwards, then the corners without plates
+    let is_corner = |site: &LatticeSite| site.ring() == FREQUENCY && site.is_on_axis();
+    let walk: Vec<LatticeSite> = rings.flatten().chain([LatticeSite::CENTRE]).collect();
     let (corners, plates): (Vec<_>, Vec<_>) = walk.iter().copied().partition(is_corner);
     let occupants = (1..=plates.len()).map(Occupant::Plate).chain((1..=corners.len()).map(Occupant::Corner));
-    let sites: Vec<(i32, i32)> = plates.iter().chain(&corners).copied().collect();
-    let index: BTreeMap<(i32, i32), usize> = sites.iter().enumerate().map(|(knot, &site)| (site, knot)).collect();
+    let sites: Vec<LatticeSite> = plates.iter().chain(&corners).copied().collect();
+    let index: BTreeMap<LatticeSite, usize> = sites.iter().enumerate().map(|(knot, &site)| (site, knot)).collect();
     let knots = sites
         .iter()
         .zip(occupants)
-        .map(|(&site, occupant)| LatticeKnot { position: position(site) * spacing, occupant, ring: ring_of(site) })
+        .map(|(&site, occupant)| LatticeKnot { position: site.position() * spacing, occupant, ring: site.ring() })
         .collect();
 
     let mut links = Vec::new();
     for (a, &site) in sites.iter().enumerate() {
-        for (direction, step) in STEPS.iter().enumerate() {
-            let neighbour = (site.0 + step.0, site.1 + step.1);
+        for direction in 0..6 {
+            let neighbour = site.neighbour(direction);
             let Some(&b) = index.get(&neighbour) else { continue };
-            // each link once, from the inner ring outwards
-            if (ring_of(site), a) < (ring_of(neighbour), b) {
+            // each link once, from the inner ring to the outer
+            if (site.ring(), a) < (neighbour.ring(), b) {
                 links.push(LatticeLink { a, b, direction, class: class(site, neighbour) });
             }
         }
@@ -85,40 +117,25 @@ pub(crate) fn lattice(side: f64) -> Lattice {
     Lattice { spacing, knots, links, outline }
 }
 
-/// The sites of the k-th lattice hexagon, anticlockwise from the one at 30 degrees.
-fn ring(k: i32) -> Vec<(i32, i32)> {
-    let mut site = (k * STEPS[0].0, k * STEPS[0].1);
+/// The sites k links from the centre, anticlockwise from the one at 30 degrees.
+fn ring(k: i32) -> Vec<LatticeSite> {
+    let mut site = LatticeSite { q: k, r: 0 };
     let mut sites = Vec::new();
     for side in 0..6 {
-        let step = STEPS[(side + 2) % 6];
         for _ in 0..k {
             sites.push(site);
-            site = (site.0 + step.0, site.1 + step.1);
+            site = site.neighbour(side + 2);
         }
     }
     sites
 }
 
-/// Number of links from the centre.
-fn ring_of((q, r): (i32, i32)) -> i32 {
-    q.abs().max(r.abs()).max((q + r).abs())
-}
-
-/// Whether a site lies on one of the three lattice lines through the centre.
-fn is_on_axis((q, r): (i32, i32)) -> bool {
-    q == 0 || r == 0 || q + r == 0
-}
-
-/// Where a site lies, in links: x = sqrt(3)/2 q, y = q/2 + r.
-fn position((q, r): (i32, i32)) -> DVec3 {
-    DVec3::new(0.75_f64.sqrt() * f64::from(q), 0.5 * f64::from(q) + f64::from(r), 0.0)
-}
-
-fn class(a: (i32, i32), b: (i32, i32)) -> Class {
-    if ring_of(a) == ring_of(b) {
-        if ring_of(a) == FREQUENCY { Class::Outline } else { Class::Ring }
-    } else if a.0 * b.1 == a.1 * b.0 {
-        // neighbours in line with the centre
+/// Link class of the link between two neighbouring sites.
+fn class(a: LatticeSite, b: LatticeSite) -> Class {
+    if a.ring() == b.ring() {
+        if a.ring() == FREQUENCY { Class::Outline } else { Class::Ring }
+    } else if a.q * b.r == a.r * b.q {
+        // the two sites and the centre lie on one line
         Class::Radial
     } else {
         Class::Inner
@@ -131,7 +148,7 @@ mod tests {
     use crate::plane::compass;
 
     #[test]
-    fn thirty_seven_knots_and_ninety_links() {
+    fn the_lattice_has_37_knots_and_90_links() {
         let lattice = lattice(2.5);
         assert_eq!(lattice.knots.len(), 37);
         assert_eq!(lattice.links.len(), 90);
@@ -145,9 +162,9 @@ mod tests {
     #[test]
     fn plates_are_numbered_from_the_outline_to_the_centre() {
         let lattice = lattice(2.5);
-        for (knot, of) in lattice.knots.iter().enumerate() {
-            let expected = if knot < 31 { Occupant::Plate(knot + 1) } else { Occupant::Corner(knot - 30) };
-            assert_eq!(of.occupant, expected);
+        for (index, knot) in lattice.knots.iter().enumerate() {
+            let expected = if index < 31 { Occupant::Plate(index + 1) } else { Occupant::Corner(index - 30) };
+            assert_eq!(knot.occupant, expected);
         }
         let ring = |number: usize| lattice.knots[number - 1].ring;
         assert!((1..=12).all(|number| ring(number) == 3));
@@ -157,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn every_link_is_a_third_of_the_side_and_points_where_it_says() {
+    fn every_link_is_a_third_of_the_side_long_and_points_in_its_direction() {
         let lattice = lattice(2.5);
         for link in &lattice.links {
             let run = lattice.knots[link.b].position - lattice.knots[link.a].position;

@@ -1,4 +1,4 @@
-//! Plane geometry: directions whose mirror images are exact, and the area of a polygon.
+//! Plane geometry: unit vectors with exact mirror images, and the vector area of a polygon.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
@@ -18,8 +18,8 @@ pub(crate) fn compass(k: usize) -> DVec3 {
     }
 }
 
-/// Unit vector at 60 k degrees from the x axis, anticlockwise: towards corner k of a plate. Opposite directions are exact
-/// negatives.
+/// Unit vector at 60 k degrees from the x axis, anticlockwise: the direction of corner k of a plate. Opposite directions
+/// are exact negatives.
 pub(crate) fn hexagon_corner(k: usize) -> DVec2 {
     let y = 0.75_f64.sqrt();
     match k % 6 {
@@ -32,8 +32,8 @@ pub(crate) fn hexagon_corner(k: usize) -> DVec2 {
     }
 }
 
-/// Unit vector at k n-ths of a turn from the y axis, anticlockwise. Quarter turns are exact, and so are mirror images
-/// about the axes and the diagonals.
+/// Unit vector at 360 k / n degrees from the y axis, anticlockwise. Quarter turns and mirror images about the axes and the
+/// diagonals are exact.
 pub(crate) fn direction(k: usize, n: usize) -> DVec3 {
     let (quarter, rest) = (4 * k / n % 4, 4 * k % n);
     let eighth = |part: usize| libm::sincos(FRAC_PI_2 * (part as f64 / n as f64));
@@ -55,8 +55,8 @@ pub(crate) fn direction(k: usize, n: usize) -> DVec3 {
 }
 
 /// Vector area S = 1/2 sum r_i x r_(i+1) of the closed polygon through these vertices, m^2. Its magnitude is the area of a
-/// flat polygon; parts of a folded one cancel. The sum is taken about the first vertex, so that a polygon far from the
-/// origin loses no digits.
+/// flat polygon; in a folded polygon, areas with opposite normals cancel. The vectors r_i begin at the first vertex, so
+/// that a polygon far from the origin loses no digits.
 pub fn vector_area(vertices: &[DVec3]) -> DVec3 {
     let Some((&first, rest)) = vertices.split_first() else { return DVec3::ZERO };
     rest.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<DVec3>() * 0.5
@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn directions_are_those_of_the_circle_with_exact_mirror_images() {
+    fn directions_divide_the_circle_evenly_and_have_exact_mirror_images() {
         for n in 3..50 {
             for k in 0..n {
                 let (sin, cos) = libm::sincos(TAU * k as f64 / n as f64);
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rectangle_and_its_mirror_image() {
+    fn a_rectangle_has_its_area_and_its_mirror_image_the_opposite() {
         let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 7.0));
         assert_eq!(vector_area(&corners), DVec3::new(0.0, 0.0, 6.0));
         let mirrored: Vec<DVec3> = corners.iter().rev().copied().collect();
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bow_tie_cancels_and_two_points_enclose_nothing() {
+    fn a_bow_tie_and_two_points_have_no_vector_area() {
         let bow = [(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
         assert_eq!(vector_area(&bow), DVec3::ZERO);
         assert_eq!(vector_area(&bow[..2]), DVec3::ZERO);

@@ -1,8 +1,8 @@
-//! A triangular lattice whose knots are hexagonal plates joined by double ropes: what the topological and the space
-//! web share.
+//! The drawing that the topological web and the space web share: hexagonal plates on a triangular lattice, joined by
+//! double ropes.
 //!
-//! A plate's six sides face its six neighbours; a link is two parallel ropes between the ends of the two sides that
-//! face each other. The six corners of the web have no plate: both ropes of a link run to the corner's knot.
+//! Each side of a plate faces one of its six neighbours. A link is a pair of parallel ropes between two facing sides, from
+//! corner to corner. The six corners of the web have no plate: both ropes of a link run to the corner's knot.
 
 use std::collections::BTreeMap;
 
@@ -13,22 +13,23 @@ use crate::lattice::{Lattice, LatticeLink, Occupant, lattice};
 use crate::plane::hexagon_corner;
 use crate::{Class, Knot, Rope, Site, Web, WebError};
 
-/// What stands on the knots of the lattice.
+/// The kind of plate on the knots of the lattice.
 pub(crate) struct PlateKind {
-    /// Name of one plate in labels.
+    /// Singular of its name, for labels.
     pub(crate) name: &'static str,
-    /// Name of several plates in errors.
+    /// Plural of its name, for errors.
     pub(crate) names: &'static str,
-    /// Name of the argument that gives the side of a plate.
+    /// Name of the argument for the side of a plate.
     pub(crate) side_argument: &'static str,
-    /// Whether there is a knot in its centre, too.
+    /// Whether a plate has a knot in its centre.
     pub(crate) has_hub: bool,
 }
 
-/// A plate's knots.
+/// The knots of a plate.
 pub(crate) struct Plate {
+    /// The knot in the centre, if there is one.
     pub(crate) hub: Option<usize>,
-    /// Anticlockwise; corner k lies at 60 k degrees from the x axis.
+    /// The knots at its corners, anticlockwise; corner k lies at 60 k degrees from the x axis.
     pub(crate) rim: [usize; 6],
 }
 
@@ -39,7 +40,8 @@ impl Plate {
     }
 }
 
-/// The web of links between plates, and the plates in the order of their numbers.
+/// Draws the plates and the links between them: a web with this side and plates with side `plate_side`, both m. Returns the
+/// web and its plates in the order of their numbers.
 pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result<(Web, Vec<Plate>), WebError> {
     positive("side", "the web's side", side)?;
     positive(kind.side_argument, &format!("the {}' side", kind.names), plate_side)?;
@@ -86,6 +88,7 @@ pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result
     Ok((web, plates))
 }
 
+/// Adds the knots of a plate with this centre and side, m.
 fn add_plate(knots: &mut Vec<Knot>, label: &str, centre: DVec3, side: f64, has_hub: bool) -> Plate {
     let hub = has_hub.then(|| {
         knots.push(Knot::new(format!("centre of {label}"), centre));
@@ -123,7 +126,7 @@ fn double_rope(lattice: &Lattice, link: &LatticeLink, plates: &[Plate], corners:
     })
 }
 
-/// B, C and D to the right of the line to the web's corner at 90 degrees.
+/// The feature points B, C and D, to the right of the line to the web's corner at 90 degrees.
 fn feature_points(lattice: &Lattice, plates: &[Plate]) -> BTreeMap<String, Site> {
     let centre = &plates[plates.len() - 1];
     // the second of the two plates between the corners at 30 and 90 degrees; plates are the lattice's first knots
@@ -132,7 +135,7 @@ fn feature_points(lattice: &Lattice, plates: &[Plate]) -> BTreeMap<String, Site>
         ("B".to_owned(), Site::Knot(centre.rim[1])),
         ("C".to_owned(), Site::Knot(beside_corner.rim[2])),
     ]);
-    // the right rope of the radial link that leads from the first ring to 90 degrees; two ropes a link
+    // the right rope of the radial link from the first ring towards 90 degrees; each link has two ropes
     let half_way = lattice
         .links
         .iter()
@@ -152,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn links_are_110_84_m_of_rope_in_180_pieces() {
+    fn links_have_180_ropes_with_a_total_length_of_110_84_m() {
         for web in webs() {
             let links: Vec<&Rope> = web.ropes.iter().filter(|rope| rope.class != Class::Hexagon).collect();
             assert_eq!(links.len(), 180);
@@ -182,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn hexagons_are_26_04_m_of_rope_and_canopies_none() {
+    fn rope_hexagons_have_26_04_m_of_rope_and_canopies_have_none() {
         let [topological, space] = webs();
         let length = topological.rope_length_by_class();
         assert!((length[&Class::Hexagon] - 26.04).abs() < 1e-9);
@@ -229,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn canopies_1_to_12_reinforce_13_to_30_carry_and_31_is_the_centre() {
+    fn canopies_1_to_12_lie_on_the_outline_13_to_30_carry_payloads_and_31_is_the_centre() {
         let [_, web] = webs();
         assert_eq!(web.canopies.len(), 31);
         for canopy in &web.canopies {
@@ -250,7 +253,7 @@ mod tests {
             let at = |point: &str| web.position(web.points[point]);
             assert!(at("B").distance(DVec3::new(0.07, 0.14 * 0.75_f64.sqrt(), 0.0)) < 1e-12);
             assert!(at("D").distance(DVec3::new(0.07, 1.25, 0.0)) < 1e-12);
-            // a third of a side from the corner at 90 degrees, towards that at 30 degrees
+            // a third of a side from the corner at 90 degrees, towards the corner at 30 degrees
             let plate = DVec3::new(0.75_f64.sqrt() * 2.5 / 3.0, 2.5 - 2.5 / 6.0, 0.0);
             assert!((at("C").distance(plate) - 0.14).abs() < 1e-12);
             assert!(at("C").x > 0.0);
@@ -258,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn links_are_called_after_their_plates_and_corners() {
+    fn labels_of_links_name_their_plates_and_corners() {
         let [_, web] = webs();
         let labels: Vec<&str> = web.ropes.iter().map(|rope| rope.label.as_str()).collect();
         for expected in ["ring link 13-14, rope 1", "outline link 1-web corner 1, rope 2", "radial link 31-25, rope 1"]

@@ -1,9 +1,9 @@
-//! The polygon web: a regular polygon filled with concentric polygons and the radials that join them.
+//! The polygon web: a regular polygon filled with concentric polygons and radials.
 //!
-//! A square or hexagonal lattice fits no other polygon; this filling is the same for all. From the middle to each side
-//! run parallels of it, a mesh apart. A radial runs to every corner, and in the sector between two of them so many more
-//! that its cells come out as wide as high, as nearly as powers of two allow: where cells grow wider than sqrt(2) meshes,
-//! every cell is halved by a radial that begins there.
+//! Ropes parallel to each side (parallels) lie one mesh apart from the middle to the side. A radial runs to every corner.
+//! Further radials divide the sector between two corners into cells that are about as wide as high: where cells would be
+//! wider than sqrt(2) meshes, a new radial begins in each and halves it. Unlike a square or hexagonal lattice, this
+//! drawing fits a polygon with any number of sides.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -11,24 +11,24 @@ use crate::error::{in_range, positive, rounded};
 use crate::sectors::Sectors;
 use crate::{Web, WebError};
 
-/// With more, the radials at the corners alone are closer in the middle than any mesh.
+/// With more sides, radials to the corners crowd in the middle.
 const MOST_SIDES: usize = 24;
 
 const MOST_PARALLELS: usize = 1000;
 
-/// The polygon web: a regular polygon with `sides` sides of `side` m, a corner at 90 degrees, and parallels about
-/// a mesh, m, apart: [`parallel_spacing`].
+/// Draws the polygon web: a regular polygon with 3 to 24 sides of length `side`, m, a corner at 90 degrees, and parallels
+/// about `mesh` apart, m ([`parallel_spacing`] is the exact distance).
 ///
 /// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees. Classes:
-/// outline; ring, the other parallels; radial, the rest. Feature points: B the knot in the middle, C the corner at 90
+/// the outline, the other parallels as rings, and radials. Feature points: B is the knot in the middle, C the corner at 90
 /// degrees, D half way between.
 ///
 /// # Errors
-/// [`WebError::Argument`]: `sides`, `side` or `mesh`.
+/// [`WebError::Argument`]: `sides`, `side` or `mesh` is out of its range.
 pub fn polygon(sides: usize, side: f64, mesh: f64) -> Result<Web, WebError> {
     let parallels = parallels(sides, side, mesh)?;
     let radius = 0.5 * side / libm::sin(PI / sides as f64);
-    // of a sector at the height of one mesh, in meshes
+    // width of a sector one mesh from the middle, in meshes
     let width = 2.0 * libm::tan(PI / sides as f64);
     let divisions = (0..parallels).map(|band| {
         let width = width * (band as f64 + 0.5);
@@ -47,7 +47,7 @@ pub fn polygon(sides: usize, side: f64, mesh: f64) -> Result<Web, WebError> {
     Ok(sectors.web())
 }
 
-/// Distance from one parallel of a polygon web to the next, m: the part of the apothem nearest to the mesh.
+/// Distance between neighbouring parallels of a polygon web, m: the apothem over the rounded number of meshes in it.
 ///
 /// # Errors
 /// As [`polygon`].
@@ -55,12 +55,12 @@ pub fn parallel_spacing(sides: usize, side: f64, mesh: f64) -> Result<f64, WebEr
     Ok(apothem(sides, side) / parallels(sides, side, mesh)? as f64)
 }
 
-/// From the middle to the middle of a side, m.
+/// Apothem: distance from the middle of the polygon to the middle of a side, m.
 fn apothem(sides: usize, side: f64) -> f64 {
     0.5 * side / libm::tan(PI / sides as f64)
 }
 
-/// Parallels from the middle to a side, the side itself included.
+/// Number of parallels from the middle to a side, including the side itself.
 fn parallels(sides: usize, side: f64, mesh: f64) -> Result<usize, WebError> {
     in_range("sides", "the number of sides", sides, 3..=MOST_SIDES)?;
     positive("side", "the web's side", side)?;
@@ -87,7 +87,7 @@ mod tests {
     use crate::{Class, Cutting, cut, vector_area};
 
     #[test]
-    fn a_hexagon_of_four_parallels() {
+    fn a_hexagon_of_four_parallels_has_its_counts_lengths_and_points() {
         // apothem 2.165 m: a mesh of 0.54 m goes into it four times
         let web = polygon(6, 2.5, 0.54).unwrap();
         // sectors 0.58, 1.73, 2.89 and 4.04 meshes wide: 1, 2, 4 and 4 cells (2.89 > 2 sqrt 2)
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn one_parallel_is_a_polygon_with_its_radials() {
+    fn a_web_of_one_parallel_is_a_polygon_with_radials_to_its_corners() {
         let web = polygon(5, 1.0, 0.6).unwrap();
         assert_eq!((web.knots.len(), web.ropes.len()), (1 + 5, 5 + 5));
         let at = |point: &str| web.position(web.points[point]);
@@ -129,7 +129,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn counts_lengths_area_cells_and_symmetry(sides in 3..=24_usize, side in 0.3..9.0_f64, share in 0.03..1.0_f64) {
+        fn every_polygon_web_has_its_counts_lengths_area_cells_and_symmetry(sides in 3..=24_usize, side in 0.3..9.0_f64, share in 0.03..1.0_f64) {
             let apothem = 0.5 * side / (PI / sides as f64).tan();
             let mesh = share * apothem;
             let web = polygon(sides, side, mesh).unwrap();
@@ -143,18 +143,18 @@ mod tests {
             let length = web.rope_length_by_class();
             let is = |got: f64, expected: f64| (got - expected).abs() < 1e-9 * n * side * parallels;
             prop_assert!(is(length[&Class::Outline], n * side));
-            // perimeters in arithmetic progression
+            // the perimeters of the rings are an arithmetic progression
             let rings = length.get(&Class::Ring).copied().unwrap_or(0.0);
             prop_assert!(is(rings, n * side * (parallels - 1.0) / 2.0));
             prop_assert!(is(web.reference_area().unwrap(), 0.5 * n * side * apothem));
 
-            // Euler: the cells are as many as the loops of ropes, and tile the web
+            // Euler: cells = ropes + 1 - knots; their areas sum up to that of the web
             let net = cut(&web, &Cutting::SegmentLength(10.0 * side)).unwrap();
             let cells = net.cells();
             prop_assert_eq!(cells.len(), web.ropes.len() + 1 - web.knots.len());
             let area = |cell: &Vec<usize>| vector_area(&cell.iter().map(|&n| net.nodes[n]).collect::<Vec<_>>()).z;
             prop_assert!(is(cells.iter().map(area).sum(), 0.5 * n * side * apothem));
-            // beside the middle, where few sides meet, cells are as wide as high within sqrt 2 and the slant of a side
+            // cells at the outline are at most sqrt 2 times as wide as high, and a little more for the slant of the radials
             let width = |rope: &crate::Rope| web.drawn_length(rope);
             let widest = web.ropes.iter().filter(|rope| rope.class == Class::Outline).map(width).fold(0.0, f64::max);
             prop_assert!(widest <= spacing * SQRT_2 * (1.0 + 1.0 / (2.0 * parallels - 1.0)) + 1e-9);

@@ -1,7 +1,7 @@
-//! The radial-and-ring web, a spider's: straight radials from the middle to the outline, and rings round it, straight
+//! The radial-and-ring web, as a spider builds it: straight radials from the middle to the outline, and polygonal rings
 //! from radial to radial.
 //!
-//! Where many radials meet, no knot can be tied: a hub, an open ring of rope, can take the middle's place.
+//! Many radials cannot be tied in one knot. A hub, an open ring of rope, can then stand in the middle.
 
 use crate::error::{in_range, positive};
 use crate::sectors::Sectors;
@@ -10,29 +10,30 @@ use crate::{Web, WebError};
 const MOST_RADIALS: usize = 360;
 const MOST_RINGS: usize = 1000;
 
-/// A radial-and-ring web; lengths in m.
+/// Sizes of a radial-and-ring web; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radial {
-    /// Diameter of the circle that the outline's corners lie on.
+    /// Diameter of the circle through the outline's corners.
     pub diameter: f64,
-    /// Radials: the rings are polygons with so many corners.
+    /// Number of radials, 3 to 360: also the number of corners of each ring.
     pub radials: usize,
-    /// Rings, evenly spaced, the outline among them.
+    /// Number of evenly spaced rings with the outline, 1 to 1000.
     pub rings: usize,
-    /// Diameter of the circle that the hub's corners lie on; without one, the radials meet in a knot.
+    /// Diameter of the circle through the hub's corners; none: the radials meet in a knot.
     pub hub_diameter: Option<f64>,
-    /// Corners of the web, where tractors are tied: the ends of so many radials, evenly apart.
+    /// Number of web corners, where tractors are tied: a divisor of `radials`, at least 3.
     pub corners: usize,
 }
 
-/// The radial-and-ring web, a radial at 90 degrees.
+/// Draws the radial-and-ring web with a radial at 90 degrees.
 ///
 /// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees. Classes:
-/// outline; ring, the other rings and the hub; radial. The centre is the knot in the middle, or the mean of the hub's.
-/// Feature points: B the knot in the middle, or the hub's at 90 degrees; C the corner at 90 degrees; D half way between.
+/// the outline, the other rings and the hub as rings, and radials. The centre is the knot in the middle or the mean of the
+/// hub's knots. Feature points: B is the knot in the middle or the hub's knot at 90 degrees, C the corner at 90 degrees, D
+/// half way between.
 ///
 /// # Errors
-/// [`WebError::Argument`]: any field of [`Radial`].
+/// [`WebError::Argument`]: a field of [`Radial`] is out of its range.
 pub fn radial(sizes: &Radial) -> Result<Web, WebError> {
     let &Radial { diameter, radials, rings, hub_diameter, corners } = sizes;
     positive("diameter", "the web's diameter", diameter)?;
@@ -40,9 +41,9 @@ pub fn radial(sizes: &Radial) -> Result<Web, WebError> {
     in_range("rings", "the number of rings", rings, 1..=MOST_RINGS)?;
     in_range("corners", "the number of corners", corners, 3..=radials)?;
     if !radials.is_multiple_of(corners) {
-        let evenly = (3..=radials).filter(|count| radials.is_multiple_of(*count)).map(|count| count.to_string());
-        let evenly = evenly.collect::<Vec<_>>().join(", ");
-        let fault = format!("{corners} corners do not lie evenly among {radials} radials; {evenly} would");
+        let divisors = (3..=radials).filter(|count| radials.is_multiple_of(*count)).map(|count| count.to_string());
+        let divisors = divisors.collect::<Vec<_>>().join(", ");
+        let fault = format!("{corners} corners do not lie evenly among {radials} radials; {divisors} would");
         return Err(WebError::argument("corners", fault));
     }
     if let Some(hub) = hub_diameter {
@@ -79,7 +80,7 @@ mod tests {
     const WEB: Radial = Radial { diameter: 5.0, radials: 12, rings: 8, hub_diameter: Some(0.2), corners: 4 };
 
     #[test]
-    fn a_web_with_a_hub() {
+    fn a_web_with_a_hub_has_its_counts_corners_and_points() {
         let web = radial(&WEB).unwrap();
         assert_eq!((web.knots.len(), web.ropes.len()), (12 * 9, 12 * 9 + 12 * 8));
         let at = |point: &str| web.position(web.points[point]);
@@ -120,7 +121,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn counts_lengths_area_cells_and_symmetry(
+        fn every_radial_web_has_its_counts_lengths_area_cells_and_symmetry(
             diameter in 0.5..20.0_f64,
             radials in 3..40_usize,
             rings in 1..20_usize,
@@ -133,7 +134,7 @@ mod tests {
             prop_assert!(web.mean_position(&web.centre).length() < 1e-12 * diameter);
 
             let (n, outer, hub) = (radials as f64, 0.5 * diameter, 0.5 * hub_diameter.unwrap_or(0.0));
-            // chord 2 r sin(pi / n); the radii of the rings in arithmetic progression from the hub outwards
+            // chord 2 r sin(pi / n); the radii from the hub outwards are an arithmetic progression
             let perimeter = |radius: f64| 2.0 * n * radius * (PI / n).sin();
             let is = |got: f64, expected: f64| (got - expected).abs() < 1e-9 * diameter.max(expected);
             let length = web.rope_length_by_class();

@@ -1,4 +1,4 @@
-//! Ropes as a web is being drawn: each gets the next number of its class.
+//! The list of ropes while a web is drawn: each new rope gets the next number in its class.
 
 use std::collections::BTreeMap;
 
@@ -8,11 +8,12 @@ use crate::{Class, Rope};
 #[derive(Default)]
 pub(crate) struct RopeList {
     ropes: Vec<Rope>,
+    /// Number of ropes so far.
     count: BTreeMap<Class, usize>,
 }
 
 impl RopeList {
-    /// Adds a rope called after its class and its number in it, as in "radial rope 7".
+    /// Adds a rope. Its label is its class and its number in the class, as in "radial rope 7".
     pub(crate) fn tie(&mut self, a: usize, b: usize, class: Class) {
         let number = self.count.entry(class.clone()).or_insert(0);
         *number += 1;
@@ -20,7 +21,7 @@ impl RopeList {
         self.ropes.push(Rope { a, b, class, label, rest_length: None, segments: None });
     }
 
-    /// Adds ropes from each of these knots to the next.
+    /// Adds a rope from each of these knots to the next.
     pub(crate) fn tie_along(&mut self, knots: &[usize], class: Class) {
         for pair in knots.windows(2) {
             self.tie(pair[0], pair[1], class.clone());

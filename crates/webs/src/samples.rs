@@ -1,4 +1,4 @@
-//! For tests: a web of every kind.
+//! For tests: one web of every kind.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::{
     traditional,
 };
 
-/// Makes a web of each kind, about 5 m wide, without tractors.
+/// Draw one web of each kind, about 5 m wide, without tractors.
 pub(crate) const SAMPLES: [fn() -> Web; 8] = [
     || traditional(2.5, 6).unwrap(),
     || topological(2.5, 0.14).unwrap(),
@@ -21,7 +21,7 @@ pub(crate) const SAMPLES: [fn() -> Web; 8] = [
     dome,
 ];
 
-/// A graph that is not flat and whose middle is not the origin: rings and radials of a dome.
+/// A listed net of rings and radials on a dome: it is not flat, and its middle is not the origin.
 fn dome() -> Web {
     let (around, rings) = (8, 4);
     let place = |ring: usize, number: usize| {

@@ -1,8 +1,7 @@
-//! Concentric polygons of rope joined by radials: what the polygon web and the radial-and-ring web share.
+//! The drawing that the polygon web and the radial-and-ring web share: concentric regular polygons joined by radials.
 //!
-//! A ring is a regular polygon; the sector between the radials of two neighbouring corners is crossed by as many
-//! further radials as the drawing asks for. Every radial lies on a straight line through the middle, so that radial k
-//! of m on a side of ring j meets ring j + 1 on the same ray.
+//! A sector lies between the radials to two neighbouring corners and has radials of its own inside. Every radial lies on a
+//! ray from the middle: radial k of m in a sector meets each ring at the share k / m of its side.
 
 use std::collections::BTreeMap;
 
@@ -12,23 +11,23 @@ use crate::plane::direction;
 use crate::rope_list::RopeList;
 use crate::{Class, Knot, Site, Web};
 
-/// The drawing of such a web.
+/// Sizes of such a web.
 pub(crate) struct Sectors {
-    /// Corners of each ring.
+    /// Number of corners of each ring.
     pub(crate) corners: usize,
-    /// Number of corners of the web among those of the outline, evenly spaced; a divisor of `corners`.
+    /// Number of web corners, evenly spaced among the corners of the outline: a divisor of `corners`.
     pub(crate) web_corners: usize,
     /// Distance of each ring's corners from the middle, ascending, m; a first radius of 0 gives one knot in the middle.
     pub(crate) radii: Vec<f64>,
-    /// Number of radials in a sector, for the band between each ring and the next: the radial at the first corner
-    /// counts, the one at the next corner does not. Each number divides the one after it.
+    /// Number of radials in a sector between each ring and the next, (rings - 1,). The radial to the sector's first corner
+    /// counts, the one to its second corner does not. Each number divides the one after it.
     pub(crate) divisions: Vec<usize>,
 }
 
 impl Sectors {
-    /// The web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline,
-    /// ring, radial. Feature points on the ray at 90 degrees: B the innermost knot, C the corner,
-    /// D the knot half way between (without one, the rope's middle).
+    /// Draws the web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline,
+    /// ring, radial. Feature points lie on the ray at 90 degrees: B is the innermost knot, C the corner, D the knot half way
+    /// between or, if there is none, the middle of the rope.
     pub(crate) fn web(&self) -> Web {
         let mut web = Web::default();
         let rings: Vec<Vec<usize>> = (0..self.radii.len()).map(|ring| self.add_ring(&mut web.knots, ring)).collect();
@@ -78,7 +77,7 @@ impl Sectors {
             for corner in 0..self.corners {
                 let ends = [corner, corner + 1].map(|corner| direction(corner, self.corners) * radius);
                 for place in 0..per_side {
-                    // the same two products from either end, so that mirror images are exact
+                    // a symmetric expression in the two corners, so that mirror images are exact
                     add((ends[0] * (per_side - place) as f64 + ends[1] * place as f64) / per_side as f64);
                 }
             }

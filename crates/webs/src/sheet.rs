@@ -1,4 +1,4 @@
-//! A hexagonal canopy as a sheet: a mesh of equilateral triangles, the hinges between them, and its rim.
+//! The mesh of a hexagonal canopy: equilateral triangles, the hinges between them, and the rim.
 
 use std::collections::BTreeMap;
 
@@ -8,17 +8,18 @@ use crate::WebError;
 use crate::error::{in_range, positive};
 use crate::plane::hexagon_corner;
 
-/// Finest mesh of a sheet, triangles along a side.
+/// Largest number of triangles along a side.
 const MOST_FINENESS: usize = 100;
 
-/// A regular hexagon meshed with triangles, flat, about the origin; corner k lies at 60 k degrees from the x axis.
+/// A flat regular hexagon about the origin, meshed with triangles; corner k lies at 60 k degrees from the x axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     /// Nodes, m: the middle, then ring by ring outwards, each ring anticlockwise from the x axis.
     pub nodes: Vec<DVec2>,
-    /// Triangles, anticlockwise.
+    /// Triangles by their nodes, anticlockwise.
     pub triangles: Vec<[usize; 3]>,
-    /// Pairs of triangles that share an edge: its two nodes, then the far node to the left of it, and to the right.
+    /// Pairs of triangles with a common edge: the two nodes of the edge, the third node of the triangle to its left, and the
+    /// third node of the triangle to its right.
     pub hinges: Vec<[usize; 4]>,
     /// The node in the middle.
     pub middle: usize,
@@ -28,11 +29,11 @@ pub struct Sheet {
     pub sides: [Vec<usize>; 6],
 }
 
-/// A hexagon of this side, m, with `fineness` triangles along each side: 6 n^2 triangles, 3 n (n + 1) + 1 nodes, 3 n
-/// (3 n - 1) hinges.
+/// Meshes a hexagon with this side, m, with n = `fineness` triangles along each side: 6 n^2 triangles, 3 n (n + 1) + 1
+/// nodes and 3 n (3 n - 1) hinges.
 ///
 /// # Errors
-/// [`WebError::Argument`]: a `side` that is not a positive length; a `fineness` of zero or above 100.
+/// [`WebError::Argument`]: `side` is not a positive length, or `fineness` is not from 1 to 100.
 pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
     positive("side", "a sheet's side", side)?;
     in_range("fineness", "a sheet's fineness", fineness, 1..=MOST_FINENESS)?;
@@ -65,19 +66,19 @@ pub fn hexagonal_sheet(side: f64, fineness: usize) -> Result<Sheet, WebError> {
     })
 }
 
-/// The node `step` steps on from the corner of a sector on a ring.
+/// The node on a ring that lies `step` nodes after the first corner of a sector.
 fn node(ring: usize, sector: usize, step: usize) -> usize {
     if ring == 0 { 0 } else { 1 + 3 * ring * (ring - 1) + (sector * ring + step) % (6 * ring) }
 }
 
-/// Each inner edge once, in the order in which triangles come to share it.
+/// The hinges in the order of their second triangles; every inner edge has one.
 fn hinges(triangles: &[[usize; 3]]) -> Vec<[usize; 4]> {
     let mut left_of = BTreeMap::new();
     let mut hinges = Vec::new();
     for triangle in triangles {
         for i in 0..3 {
             let [from, to, far] = [triangle[i], triangle[(i + 1) % 3], triangle[(i + 2) % 3]];
-            // the triangle on the other side runs along the edge the other way
+            // the neighbouring triangle has the edge in the opposite direction
             match left_of.get(&(to, from)) {
                 Some(&other) => hinges.push([to, from, other, far]),
                 None => {
@@ -101,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn it_has_the_nodes_triangles_and_hinges_of_a_disc() {
+    fn numbers_of_nodes_triangles_and_hinges_satisfy_euler_s_formula() {
         for n in [1, 2, 3, 8] {
             let sheet = hexagonal_sheet(0.14, n).unwrap();
             assert_eq!(sheet.nodes.len(), 3 * n * (n + 1) + 1);
@@ -117,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn its_triangles_are_equal_and_fill_the_hexagon() {
+    fn triangles_have_equal_areas_and_fill_the_hexagon() {
         let sheet = hexagonal_sheet(0.14, 5).unwrap();
         let whole = 1.5 * 3.0_f64.sqrt() * 0.14 * 0.14;
         for &triangle in &sheet.triangles {
@@ -137,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn its_rim_runs_from_corner_to_corner() {
+    fn nodes_of_a_side_lie_evenly_from_corner_to_corner() {
         let sheet = hexagonal_sheet(0.14, 4).unwrap();
         assert_eq!(sheet.nodes[sheet.middle], DVec2::ZERO);
         for k in 0..6 {
@@ -153,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_meshed_is_refused() {
+    fn wrong_sides_and_finenesses_are_refused() {
         assert_eq!(refused(hexagonal_sheet(0.0, 3)), Some("side"));
         assert_eq!(refused(hexagonal_sheet(0.14, 0)), Some("fineness"));
         assert_eq!(refused(hexagonal_sheet(0.14, MOST_FINENESS + 1)), Some("fineness"));

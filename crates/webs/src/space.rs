@@ -1,5 +1,4 @@
-//! The space web: double ropes between hexagonal canopies on a triangular lattice; eighteen of the canopies carry a
-//! payload.
+//! The space web: hexagonal canopies on a triangular lattice, joined by double ropes; eighteen canopies carry a payload.
 
 use crate::plates::{PlateKind, plated_web};
 use crate::{Canopy, Web, WebError};
@@ -7,15 +6,15 @@ use crate::{Canopy, Web, WebError};
 const CANOPIES: PlateKind =
     PlateKind { name: "canopy", names: "canopies", side_argument: "canopy_side", has_hub: true };
 
-/// The space web: a hexagon of this side with canopies of that side, both m.
+/// Draws the space web: a hexagon with this side and canopies with side `canopy_side`, both m.
 ///
-/// Canopies 1 to 12 stand on the outline, 13 to 30 inside it and carry a payload each, 31 in the centre. Their
-/// members are not ropes: a model makes them from [`Web::canopies`]. Feature points: B a corner of the centre canopy,
-/// C the outer corner of the outline's canopy next to the web's corner at 90 degrees, D the middle of a radial rope
-/// half way.
+/// Canopies 1 to 12 stand on the outline and number 31 in the centre; 13 to 30, between them, carry a payload each. The
+/// members of a canopy are not ropes: a model makes them from [`Web::canopies`]. Feature points: B is a corner of the
+/// centre canopy, C the outer corner of the outline's canopy next to the web's corner at 90 degrees, D the middle of a
+/// radial rope about half way between them.
 ///
 /// # Errors
-/// [`WebError::Argument`]: `side` or `canopy_side`.
+/// [`WebError::Argument`]: `side` or `canopy_side` is not a positive length, or canopies would touch.
 pub fn space(side: f64, canopy_side: f64) -> Result<Web, WebError> {
     let (mut web, plates) = plated_web(&CANOPIES, side, canopy_side)?;
     let number_of_centre = plates.len();

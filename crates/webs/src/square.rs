@@ -1,4 +1,4 @@
-//! The square net: square meshes in a square outline, tractors at its four corners.
+//! The square net: square meshes in a square outline, with tractors at the four corners.
 
 use std::collections::BTreeMap;
 
@@ -10,22 +10,23 @@ use crate::{Class, Knot, Site, Web, WebError};
 
 const MOST_CELLS: usize = 2000;
 
-/// How far side / mesh may be from a whole number, relative: the rounding of decimal input.
-const WHOLE: f64 = 1e-9;
+/// Largest relative difference of side / mesh from a whole number: rounding of decimal input.
+const ROUNDING: f64 = 1e-9;
 
-/// The square net: a square of this side with this mesh, both m; the mesh must divide the side.
+/// Draws the square net with this side and this mesh, both m. The mesh must divide the side.
 ///
 /// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: outline, inner.
-/// Feature points: B the knot nearest the centre, C the upper right corner, D a knot half way between.
+/// Feature points: B is the knot nearest to the centre (of four, the lower left), C the upper right corner, D a knot half
+/// way between.
 ///
 /// # Errors
-/// [`WebError::Argument`]: `side` or `mesh`.
+/// [`WebError::Argument`]: `side` or `mesh` is not a positive length, or the mesh does not divide the side.
 pub fn square(side: f64, mesh: f64) -> Result<Web, WebError> {
     let n = cells(side, mesh)?;
     let mut web = Web::default();
     let knot = |i: usize, j: usize| j * (n + 1) + i;
 
-    // whole multiples of half a mesh, so that opposite knots are exact mirror images
+    // multiples of half a mesh from the centre, so that opposite knots are exact mirror images
     let coordinate = |i: usize| (2 * i as i64 - n as i64) as f64 * (side / (2 * n) as f64);
     for j in 0..=n {
         for i in 0..=n {
@@ -71,18 +72,18 @@ pub fn square(side: f64, mesh: f64) -> Result<Web, WebError> {
     Ok(web)
 }
 
-/// Meshes along a side.
+/// Number of meshes along a side.
 fn cells(side: f64, mesh: f64) -> Result<usize, WebError> {
     positive("side", "the web's side", side)?;
     positive("mesh", "the mesh", mesh)?;
     let ratio = side / mesh;
-    if ratio < 1.0 - WHOLE {
+    if ratio < 1.0 - ROUNDING {
         let fault = format!("a mesh of {mesh} m is larger than the web's side of {side} m");
         return Err(WebError::argument("mesh", fault));
     }
-    // a ratio beyond any usize saturates and is refused here
+    // a ratio too large for usize saturates and is refused here
     in_range("mesh", "the number of meshes along a side", ratio.round() as usize, 1..=MOST_CELLS)?;
-    if (ratio - ratio.round()).abs() > WHOLE * ratio {
+    if (ratio - ratio.round()).abs() > ROUNDING * ratio {
         let [coarser, finer] = [ratio.floor(), ratio.ceil()].map(|cells| rounded(side / cells));
         return Err(WebError::argument(
             "mesh",
@@ -100,7 +101,7 @@ mod tests {
     use crate::error::refused;
 
     #[test]
-    fn a_five_metre_net_of_half_metre_meshes() {
+    fn a_five_metre_net_of_half_metre_meshes_has_its_counts_lengths_and_points() {
         let web = square(5.0, 0.5).unwrap();
         assert_eq!(web.knots.len(), 11 * 11);
         assert_eq!(web.ropes.len(), 2 * 10 * 11);
@@ -140,13 +141,13 @@ mod tests {
     }
 
     #[test]
-    fn decimal_input_divides_despite_its_rounding() {
+    fn a_decimal_mesh_divides_its_side_despite_rounding() {
         assert_eq!(square(0.3, 0.1).unwrap().knots.len(), 16);
         assert_eq!(square(2.1, 0.7).unwrap().knots.len(), 16);
     }
 
     #[test]
-    fn a_mesh_that_does_not_divide_names_its_neighbours_that_do() {
+    fn a_mesh_that_does_not_divide_the_side_is_refused_and_two_that_do_are_named() {
         let error = square(5.0, 0.3).unwrap_err();
         assert_eq!(
             error.to_string(),

@@ -1,5 +1,5 @@
-//! Stubs: short ropes between the outline and the first knot inside it. A stub would set the time step of the whole
-//! web, so its inner knot is merged into the outline.
+//! Merges stubs: short ropes between the outline and the first knot inside it. A stub would limit the time step of the
+//! whole web, so its inner knot is merged into its knot on the outline.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,31 +10,40 @@ use crate::{Class, Rope, Site, Web};
 pub struct Merged {
     /// Label of the rope removed.
     pub rope: String,
-    /// Its length as drawn, m.
+    /// Length as drawn, m.
     pub length: f64,
-    /// Label of the knot that was inside.
+    /// Label of the inner knot, which was removed.
     pub knot: String,
-    /// Label of the outline's knot that takes its place.
+    /// Label of the outline's knot in its place.
     pub into: String,
+}
+
+/// A stub, by the indices of its rope and its two knots.
+struct Stub {
+    rope: usize,
+    /// Its knot inside the outline.
+    inner: usize,
+    /// Its knot on the outline.
+    outer: usize,
 }
 
 /// The changes that a merge makes to a web.
 struct Plan {
-    /// Outline knot that each merged knot becomes.
+    /// The outline knot in the place of each merged knot.
     into: BTreeMap<usize, usize>,
     /// Ropes to remove; each begins or ends at a merged knot.
     removed: BTreeSet<usize>,
 }
 
 impl Web {
-    /// Merges the inner knots of stubs into the outline and says what was merged.
+    /// Merges the inner knots of stubs into the outline and returns the ropes removed.
     ///
-    /// A stub joins a knot of the outline to a knot inside it, is shorter than `min_length`, m, and shorter than half
-    /// the longest rope at its inner knot: a whole mesh is no stub, however coarsely it is cut. A knot with several
-    /// stubs goes where the shortest leads; another of its stubs that then lies along a rope of the outline is taken
-    /// out as well. The outline itself stays as it is, knots that belong to a canopy, a rope hexagon or the centre
-    /// are never merged, and no knot is merged twice. Labels stay with their ropes and knots; indices close up.
-    /// Ropes left at a merged knot are as long as they are then drawn, but for those with a rest length of their own.
+    /// A stub joins a knot of the outline to a knot inside. It is shorter than `min_length`, m, and shorter than half the
+    /// longest rope at its inner knot: a whole mesh is thus no stub, for any `min_length`. A knot with several stubs moves
+    /// along the shortest. If another of its stubs then lies along a rope of the outline, this stub is removed too. The
+    /// outline keeps its shape. Knots of canopies, rope hexagons and the centre are never merged. Ropes and knots keep their
+    /// labels but not their indices. A rope that was tied to a merged knot gets its new length as drawn, unless it has a
+    /// rest length of its own.
     pub fn merge_stubs(&mut self, min_length: f64) -> Vec<Merged> {
         let stubs = self.stubs(min_length);
         let plan = self.plan(&stubs);
@@ -43,8 +52,7 @@ impl Web {
         merged
     }
 
-    /// Stubs as (rope, inner knot, outline knot).
-    fn stubs(&self, min_length: f64) -> Vec<(usize, usize, usize)> {
+    fn stubs(&self, min_length: f64) -> Vec<Stub> {
         let on_outline: BTreeSet<usize> =
             self.outline.iter().filter(|knots| knots.len() == 1).flatten().copied().collect();
         let kept = self.knots_that_stay();
@@ -56,18 +64,18 @@ impl Web {
         }
         let mut stubs = Vec::new();
         for (index, rope) in self.ropes.iter().enumerate() {
+            let length = self.drawn_length(rope);
             for (inner, outer) in [(rope.a, rope.b), (rope.b, rope.a)] {
-                let length = self.drawn_length(rope);
                 let is_short = length < min_length && length < 0.5 * longest[inner];
                 if is_short && on_outline.contains(&outer) && !kept.contains(&inner) {
-                    stubs.push((index, inner, outer));
+                    stubs.push(Stub { rope: index, inner, outer });
                 }
             }
         }
         stubs
     }
 
-    /// Knots that have a part of their own to play and are not merged.
+    /// Knots that are never merged: those of the outline, canopies, rope hexagons, corners, tractors and the centre.
     fn knots_that_stay(&self) -> BTreeSet<usize> {
         let outline = self.outline.iter().flatten().copied();
         let canopies = self.canopies.iter().flat_map(|canopy| canopy.rim.into_iter().chain([canopy.hub]));
@@ -76,10 +84,11 @@ impl Web {
         outline.chain(canopies).chain(hexagons).chain(named).collect()
     }
 
-    fn plan(&self, stubs: &[(usize, usize, usize)]) -> Plan {
-        // each knot's shortest stub; the first of equals
+    /// Where each inner knot goes, and which ropes are removed.
+    fn plan(&self, stubs: &[Stub]) -> Plan {
+        // the shortest stub of each knot; of equal stubs the first
         let mut shortest: BTreeMap<usize, (f64, usize)> = BTreeMap::new();
-        for &(rope, inner, outer) in stubs {
+        for &Stub { rope, inner, outer } in stubs {
             let length = self.drawn_length(&self.ropes[rope]);
             let best = shortest.entry(inner).or_insert((length, outer));
             if length < best.0 {
@@ -92,8 +101,11 @@ impl Web {
             self.ropes.iter().filter(|rope| rope.class == Class::Outline).map(|rope| sorted(rope.a, rope.b)).collect();
         let removed = stubs
             .iter()
-            .filter(|&&(_, inner, outer)| into[&inner] == outer || outline_ropes.contains(&sorted(into[&inner], outer)))
-            .map(|&(rope, _, _)| rope)
+            .filter(|stub| {
+                let into = into[&stub.inner];
+                into == stub.outer || outline_ropes.contains(&sorted(into, stub.outer))
+            })
+            .map(|stub| stub.rope)
             .collect();
         Plan { into, removed }
     }
@@ -107,12 +119,12 @@ impl Web {
     }
 
     fn apply(&mut self, plan: &Plan) {
-        // new indices of knots and ropes; a merged knot has that of the knot it becomes
-        let mut knot_index = closed_up(self.knots.len(), |knot| plan.into.contains_key(&knot));
+        // new indices of knots and ropes; a merged knot has the index of the knot in its place
+        let mut knot_index = new_indices(self.knots.len(), |knot| plan.into.contains_key(&knot));
         for (&inner, &outer) in &plan.into {
             knot_index[inner] = knot_index[outer];
         }
-        let rope_index = closed_up(self.ropes.len(), |rope| plan.removed.contains(&rope));
+        let rope_index = new_indices(self.ropes.len(), |rope| plan.removed.contains(&rope));
 
         for site in self.points.values_mut() {
             *site = match *site {
@@ -144,19 +156,19 @@ fn sorted(a: usize, b: usize) -> (usize, usize) {
     (a.min(b), a.max(b))
 }
 
-/// Where each of `count` things is once the removed ones are gone; a removed one has the place of the next that
-/// stays.
-fn closed_up(count: usize, is_removed: impl Fn(usize) -> bool) -> Vec<usize> {
+/// New index of each of `count` items after some are removed; a removed item has the index of the next one that stays.
+fn new_indices(count: usize, is_removed: impl Fn(usize) -> bool) -> Vec<usize> {
     let mut next = 0;
     (0..count)
         .map(|index| {
-            let place = next;
+            let new = next;
             next += usize::from(!is_removed(index));
-            place
+            new
         })
         .collect()
 }
 
+/// Keeps the items whose indices `keep` accepts.
 fn retain_indexed<T>(items: &mut Vec<T>, keep: impl Fn(usize) -> bool) {
     let mut index = 0;
     items.retain(|_| {
@@ -177,12 +189,11 @@ mod tests {
     }
 
     #[test]
-    fn half_a_segment_of_0_1_m_merges_the_four_stubs_beside_the_slanted_corners() {
+    fn a_least_length_of_0_05_m_merges_the_four_stubs_of_0_047_m() {
         let mut web = traditional(2.5, 6).unwrap();
         let before = web.clone();
         let merged = web.merge_stubs(0.05);
-        // four stubs of 0.047 m; the same four knots have another stub, 0.082 m, which is longer than half a segment
-        // and stays
+        // four stubs of 0.047 m; their knots have another short rope each, which is 0.082 m long and stays
         assert_eq!(merged.len(), 4);
         assert!(merged.iter().all(|stub| (stub.length - 0.0472).abs() < 1e-4));
         assert_eq!(web.knots.len(), before.knots.len() - 4);
@@ -192,18 +203,18 @@ mod tests {
     }
 
     #[test]
-    fn the_second_stub_of_a_merged_knot_goes_where_the_outline_takes_its_place() {
+    fn a_second_stub_that_would_lie_along_the_outline_is_removed_too() {
         let mut web = traditional(2.5, 6).unwrap();
         let before = web.clone();
-        // seven rows end 0.082 m outside the outermost column on either side; the first and last of them have the stubs
-        // of 0.047 m as well
+        // on either side seven rows end 0.082 m outside the outermost column; the first and last also have the stubs of
+        // 0.047 m
         assert_eq!(web.merge_stubs(0.1).len(), 2 * 7 + 4);
         assert_eq!(web.knots.len(), before.knots.len() - 2 * 7);
         assert_eq!(web.ropes.len(), before.ropes.len() - (2 * 7 + 4));
     }
 
     #[test]
-    fn the_outline_and_the_points_stay_where_they_are() {
+    fn the_outline_and_the_feature_points_keep_their_places() {
         for min_length in [0.05, 0.1, 0.2, 1.0] {
             let before = traditional(2.5, 6).unwrap().with_traction(1.0, 2).unwrap();
             let mut web = before.clone();
@@ -227,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_meshes_are_no_stubs_however_coarse_the_segments() {
+    fn whole_meshes_are_never_stubs() {
         let mut web = traditional(2.5, 6).unwrap();
         let merged = web.merge_stubs(10.0);
         assert!(merged.iter().all(|stub| stub.length < 0.5 * 2.5 / 6.0));
@@ -236,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn canopies_and_hexagons_are_left_alone() {
+    fn canopies_and_rope_hexagons_are_never_merged() {
         for web in [space(2.5, 0.14).unwrap(), topological(2.5, 0.14).unwrap()] {
             let mut merged = web.clone();
             assert_eq!(merged.merge_stubs(10.0), []);
@@ -245,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn a_merged_rope_and_its_knots_are_named() {
+    fn a_removed_rope_is_reported_with_the_labels_of_its_knots() {
         let mut web = traditional(2.5, 6).unwrap();
         let stub = web.merge_stubs(0.05).remove(0);
         assert!(stub.rope.starts_with("inner rope "), "{}", stub.rope);

@@ -1,4 +1,4 @@
-//! For tests: whether a turn or a mirror maps a web onto itself.
+//! For tests: whether a rotation or a reflection maps a web onto itself.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
@@ -7,22 +7,22 @@ use glam::DVec3;
 
 use crate::Web;
 
-/// Whether the n-th part of a turn about the middle maps the web onto itself.
+/// Whether a rotation by 360 / n degrees about the middle maps the web onto itself.
 pub(crate) fn is_turned(web: &Web, n: usize) -> bool {
     let (sin, cos) = (TAU / n as f64).sin_cos();
     maps(web, 1e-12 * web.radius(), |p| DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z))
 }
 
-/// Whether the mirror left to right maps the web onto itself, to the bit.
+/// Whether the reflection of x maps the web onto itself, to the bit.
 pub(crate) fn is_mirrored(web: &Web) -> bool {
     maps(web, 0.0, |p| DVec3::new(-p.x, p.y, p.z))
 }
 
-/// Whether every knot has an image within `tolerance`, m, and every rope, outline knot, corner and centre knot has its
-/// own, ropes within their class and of their length.
+/// Whether `map` maps every knot onto a knot within `tolerance`, m, every rope onto a rope of the same class and rest
+/// length, and the knots of the outline, the corners and the centre each onto themselves.
 fn maps(web: &Web, tolerance: f64, map: impl Fn(DVec3) -> DVec3) -> bool {
     let knots = web.knots.iter().map(|knot| knot.position);
-    // knots by where they lie, so that an image is looked for nearby only
+    // knots in a grid of small cells: the search for an image visits the cells nearby
     let size = 1e-3 * web.radius();
     let cell = |p: DVec3| ((p.x / size).round() as i64, (p.y / size).round() as i64);
     let mut near: BTreeMap<(i64, i64), Vec<usize>> = BTreeMap::new();

@@ -1,4 +1,4 @@
-//! The topological rope web: the space web's ropes, with a closed hexagon of rope in the place of each canopy.
+//! The topological rope web: the ropes of the space web, with a hexagon of rope in the place of each canopy.
 
 use crate::plates::{PlateKind, plated_web};
 use crate::{Class, Rope, Web, WebError};
@@ -6,14 +6,14 @@ use crate::{Class, Rope, Web, WebError};
 const HEXAGONS: PlateKind =
     PlateKind { name: "hexagon", names: "rope hexagons", side_argument: "hexagon_side", has_hub: false };
 
-/// The topological web: a hexagon of this side with rope hexagons of that side, both m.
+/// Draws the topological web: a hexagon with this side and rope hexagons with side `hexagon_side`, both m.
 ///
-/// Hexagons are numbered as the canopies of [`crate::space`]. Feature points: B a corner of the centre hexagon, C the
-/// outer corner of the outline's hexagon next to the web's corner at 90 degrees, D the middle of a radial rope half
-/// way.
+/// Rope hexagons are numbered like the canopies of [`crate::space`]. Feature points: B is a corner of the centre hexagon,
+/// C the outer corner of the outline's hexagon next to the web's corner at 90 degrees, D the middle of a radial rope about
+/// half way between them.
 ///
 /// # Errors
-/// [`WebError::Argument`]: `side` or `hexagon_side`.
+/// [`WebError::Argument`]: `side` or `hexagon_side` is not a positive length, or rope hexagons would touch.
 pub fn topological(side: f64, hexagon_side: f64) -> Result<Web, WebError> {
     let (mut web, plates) = plated_web(&HEXAGONS, side, hexagon_side)?;
     for (plate, number) in plates.iter().zip(1..) {

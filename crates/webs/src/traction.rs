@@ -1,4 +1,4 @@
-//! Traction ropes: from the corners of a web outwards to its tractors.
+//! Adds tractors to a web, on traction ropes that run outwards from its corners.
 
 use crate::error::in_range;
 use crate::{Class, Knot, Rope, Site, Web, WebError};
@@ -6,15 +6,15 @@ use crate::{Class, Knot, Rope, Site, Web, WebError};
 const MOST_PARALLEL: usize = 100;
 
 impl Web {
-    /// The web with its tractors: each on `count` parallel ropes of this length, m, that run from its corner straight
-    /// away from the middle of the web. With no length the tractors are tied to the corners themselves.
+    /// The web with a tractor at each corner, on `count` parallel ropes of this length, m. The ropes run from the corner
+    /// straight away from the middle of the web. With a length of 0 the tractors are tied straight to the corners.
     ///
-    /// Feature point A is then the middle of the traction rope at the corner nearest to point C (the first corner
-    /// without one), unless the web has an A already.
+    /// Feature point A is the middle of the traction rope at the corner nearest to point C or, without a point C, at the
+    /// first corner. A point A that the web already has stays.
     ///
     /// # Errors
-    /// [`WebError::Argument`]: `length` or `count`; [`WebError::NoCorners`], [`WebError::CornerInTheMiddle`],
-    /// [`WebError::TractorsTwice`].
+    /// [`WebError::Argument`]: `length` or `count` is out of its range; [`WebError::NoCorners`],
+    /// [`WebError::CornerInTheMiddle`], [`WebError::TractorsTwice`].
     pub fn with_traction(mut self, length: f64, count: usize) -> Result<Web, WebError> {
         if !(length >= 0.0 && length.is_finite()) {
             return Err(WebError::argument(
@@ -56,7 +56,7 @@ impl Web {
                     1 => format!("traction rope {number}"),
                     _ => format!("traction rope {number} ({strand} of {count})"),
                 },
-                // exactly what the user asked for, not what rounding makes of it
+                // the distance of the knots differs from this by rounding
                 rest_length: Some(length),
                 segments: None,
             }));
@@ -67,7 +67,7 @@ impl Web {
         Ok(self)
     }
 
-    /// The corner that the feature points belong to.
+    /// The corner nearest to feature point C, as an index into the corners; the first without a point C.
     fn feature_corner(&self) -> usize {
         let Some(&point) = self.points.get("C") else { return 0 };
         let distance = |corner: usize| self.knots[self.corners[corner]].position.distance(self.position(point));
@@ -89,7 +89,7 @@ mod tests {
             let web = web.with_traction(1.0355, 1).unwrap();
             let area = web.tractor_area().unwrap();
             assert!((area - 1.5 * 3.0_f64.sqrt() * 3.5355 * 3.5355).abs() < 1e-9);
-            // stated for a length that is rounded to 1.0355 m
+            // 32.476 m^2 is for a length before it was rounded to 1.0355 m
             assert!((area - 32.476).abs() < 1e-3);
             assert!((web.rope_length_by_class()[&Class::Traction] - 6.0 * 1.0355).abs() < 1e-12);
             assert_eq!(web.check(), []);
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_length_tractors_sit_on_the_corners() {
+    fn with_a_length_of_0_tractors_are_tied_straight_to_the_corners() {
         let web = square(2.0, 1.0).unwrap().with_traction(0.0, 1).unwrap();
         assert_eq!(web.tractors, web.corners);
         assert!(web.traction.is_empty() && !web.points.contains_key("A"));
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_traction_is_refused() {
+    fn wrong_lengths_counts_and_second_tractors_are_refused() {
         let web = || square(2.0, 1.0).unwrap();
         assert_eq!(refused(web().with_traction(-1.0, 1)), Some("length"));
         assert_eq!(refused(web().with_traction(f64::NAN, 1)), Some("length"));

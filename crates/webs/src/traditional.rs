@@ -1,9 +1,8 @@
 //! The traditional rope web: square cells clipped by a regular hexagon, with a rope along the outline.
 //!
-//! Ropes run along the lines x = i h and y = j h, h = side / cells per side, and are knotted where they cross and
-//! where they meet the outline. The hexagon has its corners at 30, 90, 150, ... degrees from the x axis, so that a
-//! row of cells touches the corners at 90 and 270 degrees. Clipping leaves short ropes (stubs) near the outline:
-//! [`Web::merge_stubs`].
+//! Ropes run along the lines x = i h and y = j h with h = side / cells per side. They are tied where they cross and where
+//! they meet the outline. The corners of the hexagon lie at 30, 90, 150, ... degrees from the x axis. Clipping leaves short
+//! ropes near the outline; [`Web::merge_stubs`] removes them.
 
 use std::collections::BTreeMap;
 
@@ -27,33 +26,38 @@ enum End {
     Row(i64, i64),
 }
 
-/// The grid in units of a cell: the hexagon's side is `cells` long.
+/// The grid of cells in the hexagon.
 struct Grid {
+    /// Number of cells along a side of the hexagon.
     cells: i64,
+    /// Side of the hexagon, m.
     side: f64,
 }
 
 impl Grid {
+    /// Side of a cell, m.
     fn cell(&self) -> f64 {
         self.side / self.cells as f64
     }
 
-    /// Columns lie strictly between the two upright sides, whose distance from the centre is irrational in cells: no
-    /// ties.
+    /// The largest i of a column inside. No column lies on an upright side: its distance from the centre is an irrational
+    /// number of cells.
     fn last_column(&self) -> i64 {
         (self.cells as f64 * 0.75_f64.sqrt()).floor() as i64
     }
 
+    /// The largest j of a row inside.
     fn last_row(&self) -> i64 {
         self.cells - 1
     }
 
-    /// Whether the crossing of column i and row j lies inside the outline. On the slanted sides |j| + |i| / sqrt(3) =
-    /// cells, which integers meet only at a corner, i = 0.
+    /// Whether the crossing of column i and row j lies inside the outline. The slanted sides are |j| + |i| / sqrt(3) =
+    /// cells; integers satisfy this only at a corner, i = 0.
     fn is_inside(&self, i: i64, j: i64) -> bool {
         i.abs() <= self.last_column() && i.abs() as f64 / 3.0_f64.sqrt() < (self.cells - j.abs()) as f64
     }
 
+    /// The lower (`up` = -1) or upper (1) end of a column.
     fn column_end(&self, i: i64, up: i64) -> End {
         match (i, up) {
             (0, 1) => End::Corner(1),
@@ -62,24 +66,20 @@ impl Grid {
         }
     }
 
+    /// The left (`right` = -1) or right (1) end of a row.
     fn row_end(&self, j: i64, right: i64) -> End {
-        match (2 * j.abs() == self.cells, j > 0, right > 0) {
-            (false, _, _) => End::Row(j, right),
-            (true, true, true) => End::Corner(0),
-            (true, true, false) => End::Corner(2),
-            (true, false, false) => End::Corner(3),
-            (true, false, true) => End::Corner(5),
+        if 2 * j.abs() != self.cells {
+            return End::Row(j, right);
         }
+        let [at_left, at_right] = if j > 0 { [2, 0] } else { [3, 5] };
+        End::Corner(if right > 0 { at_right } else { at_left })
     }
 
-    /// Position, and the side of the hexagon (0 from the corner at 30 degrees to that at 90 degrees) that a line's
-    /// end lies on.
+    /// Position of an end, m, and its side of the hexagon; side 0 runs from the corner at 30 degrees to that at 90 degrees.
     fn place(&self, end: End) -> (DVec3, usize) {
-        let slanted = |right: bool, up: bool| match (right, up) {
-            (true, true) => 0,
-            (false, true) => 1,
-            (false, false) => 3,
-            (true, false) => 4,
+        let slanted = |is_right: bool, is_up: bool| {
+            let [at_left, at_right] = if is_up { [1, 0] } else { [3, 4] };
+            if is_right { at_right } else { at_left }
         };
         match end {
             End::Corner(corner) => (compass(corner) * self.side, corner),
@@ -90,12 +90,10 @@ impl Grid {
             }
             End::Row(j, right) => {
                 let y = j as f64 * self.cell();
-                let upright = 2 * j.abs() < self.cells;
-                let reach = if upright { self.side * 0.75_f64.sqrt() } else { (self.side - y.abs()) * 3.0_f64.sqrt() };
-                let side = match (upright, right > 0) {
-                    (true, true) => 5,
-                    (true, false) => 2,
-                    (false, is_right) => slanted(is_right, j > 0),
+                let (reach, side) = if 2 * j.abs() < self.cells {
+                    (self.side * 0.75_f64.sqrt(), if right > 0 { 5 } else { 2 })
+                } else {
+                    ((self.side - y.abs()) * 3.0_f64.sqrt(), slanted(right > 0, j > 0))
                 };
                 (DVec3::new(right as f64 * reach, y, 0.0), side)
             }
@@ -103,14 +101,14 @@ impl Grid {
     }
 }
 
-/// The traditional web: a hexagon of `side` m, with `cells_per_side` square cells along a side, from 2 to 1000.
+/// Draws the traditional web: a hexagon with this side, m, and 2 to 1000 square cells along a side.
 ///
 /// Knots inside are numbered row by row from below; those of the outline follow, anticlockwise from the corner at 30
-/// degrees. Classes: outline; radial, the two lines through the centre; inner, the rest. Feature points: B the knot
-/// in the centre, C the corner at 90 degrees, D the knot half way between.
+/// degrees. Classes: outline; radial for the two lines through the centre; inner for the others. Feature points: B is the
+/// knot in the centre, C the corner at 90 degrees, D the knot half way between.
 ///
 /// # Errors
-/// [`WebError::Argument`]: `side` or `cells_per_side`.
+/// [`WebError::Argument`]: `side` or `cells_per_side` is out of its range.
 pub fn traditional(side: f64, cells_per_side: usize) -> Result<Web, WebError> {
     positive("side", "the web's side", side)?;
     in_range("cells_per_side", "the number of cells along a side", cells_per_side, 2..=MOST_CELLS)?;
@@ -193,19 +191,19 @@ mod tests {
     }
 
     #[test]
-    fn lengths_and_area_of_the_paper_s_web() {
+    fn the_paper_s_web_has_its_lengths_and_its_area() {
         let web = paper_web();
         let length = web.rope_length_by_class();
         assert!((length[&Class::Outline] - 15.0).abs() < 1e-12);
         assert!((length[&Class::Radial] + length[&Class::Inner] - 79.54).abs() < 5e-3);
-        // the line x = 0 from corner to corner, and y = 0 between the upright sides
+        // the lines x = 0 from corner to corner and y = 0 between the upright sides
         assert!((length[&Class::Radial] - (5.0 + 2.5 * 3.0_f64.sqrt())).abs() < 1e-12);
         assert!((web.reference_area().unwrap() - 1.5 * 3.0_f64.sqrt() * 6.25).abs() < 1e-12);
         assert_eq!(web.check(), []);
     }
 
     #[test]
-    fn length_inside_follows_from_the_chords_of_the_hexagon() {
+    fn the_length_of_rope_inside_is_the_sum_of_the_chords_of_the_hexagon() {
         for cells in 2..15 {
             let web = traditional(1.7, cells).unwrap();
             let h = 1.7 / cells as f64;
