@@ -74,7 +74,7 @@ fn what_cannot_be_packed_so_is_told_at_its_place() {
     };
     let found = told(&tube("20 mm", ""));
     assert!(found.contains("stow.roll.container: the web does not fit a cylinder of radius 0.02 m"), "{found}");
-    assert!(found.contains("packed so, it fits a cylinder of radius 0."), "{found}");
+    assert!(found.contains("these proportions that holds it is a cylinder of radius 0."), "{found}");
     let found = told(&tube("0.2 m", "tractor_gap = \"2 m\""));
     assert!(found.contains("stow.roll.tractor_gap: tractors 2 m above the web would stretch"), "{found}");
     let found = told(&tube("0.2 m", "tractor_radius = \"2 m\""));

@@ -1,4 +1,4 @@
-//! Draws every kind of web as it is drawn flat, the pictures of docs/webs.md:
+//! Draws a flat web of every kind, for the pictures of docs/webs.md:
 //!
 //! ```sh
 //! cargo run -p netcast-webs --example drawings -- docs/images
@@ -12,7 +12,7 @@ use std::{env, fs};
 use glam::DVec3;
 use netcast_webs::{Class, Diamond, Radial, Web, diamond, polygon, radial, space, square, topological, traditional};
 
-/// Width of a picture and of its margin.
+/// Width of a picture and of its margin, px.
 const SIZE: f64 = 340.0;
 const MARGIN: f64 = 26.0;
 
@@ -56,7 +56,7 @@ fn picture(name: &str, web: &Web) -> Result<String, Box<dyn Error>> {
             Class::Hexagon => ("#3c8a5a", 1.2),
             _ => ("#8796a1", 1.1),
         };
-        // beside the outline on which it lies
+        // a little outside the outline, which would hide it
         let aside = if *class == Class::Gathering { 1.03 } else { 1.0 };
         let mut path = String::new();
         for rope in web.ropes.iter().filter(|rope| rope.class == *class) {

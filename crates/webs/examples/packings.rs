@@ -1,4 +1,4 @@
-//! Draws a web packed by every pattern, from the side and from ahead, the pictures of docs/packing.md:
+//! Draws a web packed by every pattern, from the side and along the launch axis, for the pictures of docs/packing.md:
 //!
 //! ```sh
 //! cargo run -p netcast-webs --example packings -- docs/images
@@ -12,7 +12,7 @@ use std::{env, fs};
 use glam::{DVec2, DVec3, dvec2};
 use netcast_webs::{Bag, Class, Container, CutWeb, Cutting, Folded, Folding, Mouth, Pattern, Prescribed, cut, polygon};
 
-/// Width of one view, height of a picture and margin, px.
+/// Width of one view and height of a picture, px; then the margin, px.
 const SIZE: [f64; 2] = [300.0, 330.0];
 const MARGIN: f64 = 16.0;
 
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The outline drawn in to a ring, as `[stow.prescribed]` does it by default.
+/// The default of `[stow.prescribed]`: the outline is drawn in to a ring.
 fn prescribed(net: &CutWeb, mouth: Mouth) -> Prescribed {
     Prescribed {
         radius: 0.3,
@@ -59,7 +59,7 @@ fn prescribed(net: &CutWeb, mouth: Mouth) -> Prescribed {
     }
 }
 
-/// Two views to one scale: from the side with the launch axis up, and from ahead.
+/// Two views at one scale: from the side with the launch axis up, and along the launch axis.
 fn picture(name: &str, net: &CutWeb, packed: &[DVec3]) -> Result<String, Box<dyn Error>> {
     let [width, height] = SIZE;
     let lowest = packed.iter().map(|place| place.z).fold(0.0, f64::min);

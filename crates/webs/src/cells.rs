@@ -1,8 +1,8 @@
 //! The cells of a web: the loops of rope round its openings, found as the faces of the flat drawing.
 //!
 //! The web is a graph in the plane. A walk that turns at each knot into the next rope clockwise goes round one face.
-//! Together the walks use every rope twice, once each way (de Berg et al., Computational Geometry, 3rd ed. 2008, section
-//! 2.2). Traction ropes are left out, and so are gathering ropes, which lie on the outline.
+//! Together the walks use every rope twice, once each way (de Berg et al., Computational Geometry, 3rd ed. 2008,
+//! section 2.2). Traction ropes are left out, and so are gathering ropes, which lie on the outline.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +12,8 @@ use crate::{Class, CutWeb, Rope, vector_area};
 const LEAST_SHARE: f64 = 1e-9;
 
 impl CutWeb {
-    /// The cells as closed loops of nodes, anticlockwise; each begins at a knot. Canopies are cells too. Empty where ropes
-    /// cross in the flat web without a knot: cells are then not defined.
+    /// The cells as closed loops of nodes, anticlockwise; each begins at a knot. Canopies are cells too. Empty where
+    /// ropes cross in the flat web without a knot: cells are then not defined.
     pub fn cells(&self) -> Vec<Vec<usize>> {
         let sides = self.sides();
         let around = self.around(&sides);
@@ -30,8 +30,8 @@ impl CutWeb {
         sized.into_iter().filter(|(area, _)| *area > LEAST_SHARE * whole).map(|(_, cell)| cell).collect()
     }
 
-    /// The nodes inside each rope by its two knots, both ways; the first of parallel ropes. A canopy's side has no nodes
-    /// inside.
+    /// The nodes inside each rope by its two knots, both ways; the first of parallel ropes. A canopy's side has no
+    /// nodes inside.
     fn sides(&self) -> BTreeMap<(usize, usize), Vec<usize>> {
         let mut sides = BTreeMap::new();
         let ropes = self.web.ropes.iter().enumerate();

@@ -30,8 +30,8 @@ pub enum Class {
 }
 
 impl Class {
-    /// The class of ropes with this name: a built-in class in upper or lower case, else [`Class::Named`] with the trimmed
-    /// name. None if the name belongs to a class without ropes.
+    /// The class of ropes with this name: a built-in class in upper or lower case, else [`Class::Named`] with the
+    /// trimmed name. None if the name belongs to a class without ropes.
     pub fn from_name(name: &str) -> Option<Class> {
         let built_in = [
             Class::Traction,

@@ -15,8 +15,8 @@ pub const MOST_SEGMENTS: usize = 50_000_000;
 /// How ropes are cut into segments of equal length.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cutting {
-    /// Desired length of a segment, m. The number of segments of a rope is its rest length over this length, rounded, and
-    /// at least 1; [`Rope::segments`] overrules it.
+    /// Desired length of a segment, m. The number of segments of a rope is its rest length over this length, rounded,
+    /// and at least 1; [`Rope::segments`] overrules it.
     SegmentLength(f64),
     /// Number of segments of each rope, (ropes,).
     Counts(Vec<usize>),
@@ -136,8 +136,8 @@ fn segment_counts(web: &Web, cutting: &Cutting) -> Result<Vec<usize>, CutError> 
 }
 
 impl CutWeb {
-    /// Adds a node to a canopy and returns its index. `position` is in the flat web, m; `label` is its name in messages. No
-    /// rope runs through the node.
+    /// Adds a node to a canopy and returns its index. `position` is in the flat web, m; `label` is its name in
+    /// messages. No rope runs through the node.
     pub fn add_node(&mut self, canopy: usize, position: DVec3, label: String) -> usize {
         self.nodes.push(position);
         self.added.push((canopy, label));

@@ -48,9 +48,9 @@ impl Diamond {
 
 /// Draws the diamond net, with a border rope that is tied to every knot along it.
 ///
-/// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: the border is outline,
-/// the bars are inner. Feature points: B is the knot nearest to the centre (of four, the lowest), C the upper right
-/// corner, D a knot half way between.
+/// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: the border is
+/// outline, the bars are inner. Feature points: B is the knot nearest to the centre (of four, the lowest), C the upper
+/// right corner, D a knot half way between.
 ///
 /// # Errors
 /// [`WebError::Argument`]: a field of [`Diamond`] is out of its range.

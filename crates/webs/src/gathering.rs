@@ -84,7 +84,8 @@ mod tests {
             assert_eq!(refused(net().with_gathering(every, 0.1)), Some("every"), "{every}");
         }
         let error = net().with_gathering(3, 0.1).unwrap_err().to_string();
-        let expected = "a gathering rope tied to every 3 knots would miss corners of the web: 3 does not divide the 10 meshes of a side";
+        let expected = "a gathering rope tied to every 3 knots would miss corners of the web: 3 does not divide the 10 \
+                        meshes of a side";
         assert_eq!(error, expected);
         for excess in [-0.1, f64::NAN, f64::INFINITY] {
             assert_eq!(refused(net().with_gathering(2, excess)), Some("excess"));
@@ -95,7 +96,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_gathering_rope_has_its_length_keeps_the_symmetry_and_is_not_stretched_in_a_bag(share in 1..6_usize, ties in 1..6_usize, excess in 0.0..0.5_f64) {
+        fn a_gathering_rope_has_its_length_keeps_the_symmetry_and_is_not_stretched_in_a_bag(
+            share in 1..6_usize, ties in 1..6_usize, excess in 0.0..0.5_f64,
+        ) {
             let side = (share * ties) as f64;
             let web = square(side, 1.0).unwrap().with_gathering(share, excess).unwrap();
             let length = web.rope_length_by_class()[&Class::Gathering];

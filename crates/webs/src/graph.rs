@@ -52,12 +52,13 @@ pub struct Graph {
     pub points: BTreeMap<String, String>,
 }
 
-/// Draws the web of a listed net, with its nodes where the user put them. The web's middle is the mean of its outline or,
-/// without an outline, of its nodes. Its centre is the node nearest to the middle, or all nodes that are equally near.
+/// Draws the web of a listed net, with its nodes where the user put them. The web's middle is the mean of its outline
+/// or, without an outline, of its nodes. Its centre is the node nearest to the middle, or all nodes that are equally
+/// near.
 ///
 /// # Errors
-/// All faults of the net. First ids that are doubled or unknown, and an outline with fewer than three nodes; if there are
-/// none of these, the faults that [`Web::check`] finds.
+/// All faults of the net. First ids that are doubled or unknown, and an outline with fewer than three nodes; if there
+/// are none of these, the faults that [`Web::check`] finds.
 pub fn graph(graph: &Graph) -> Result<Web, Vec<WebError>> {
     let mut problems = Vec::new();
     let mut index: BTreeMap<&str, usize> = BTreeMap::new();

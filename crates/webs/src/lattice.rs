@@ -1,5 +1,5 @@
-//! The triangular lattice of the topological web and the space web: a hexagon cut into equilateral triangles, three along
-//! each side.
+//! The triangular lattice of the topological web and the space web: a hexagon cut into equilateral triangles, three
+//! along each side.
 
 use std::collections::BTreeMap;
 
@@ -73,8 +73,8 @@ pub(crate) struct LatticeLink {
 pub(crate) struct Lattice {
     /// Length of a link, m.
     pub(crate) spacing: f64,
-    /// Plates in the order of their numbers, then the six corners. Plates are numbered from the outline inwards, ring by
-    /// ring, each ring anticlockwise from 30 degrees.
+    /// Plates in the order of their numbers, then the six corners. Plates are numbered from the outline inwards, ring
+    /// by ring, each ring anticlockwise from 30 degrees.
     pub(crate) knots: Vec<LatticeKnot>,
     /// Links, class by class.
     pub(crate) links: Vec<LatticeLink>,

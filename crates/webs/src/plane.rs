@@ -18,8 +18,8 @@ pub(crate) fn compass(k: usize) -> DVec3 {
     }
 }
 
-/// Unit vector at 60 k degrees from the x axis, anticlockwise: the direction of corner k of a plate. Opposite directions
-/// are exact negatives.
+/// Unit vector at 60 k degrees from the x axis, anticlockwise: the direction of corner k of a plate. Opposite
+/// directions are exact negatives.
 pub(crate) fn hexagon_corner(k: usize) -> DVec2 {
     let y = 0.75_f64.sqrt();
     match k % 6 {
@@ -32,8 +32,8 @@ pub(crate) fn hexagon_corner(k: usize) -> DVec2 {
     }
 }
 
-/// Unit vector at 360 k / n degrees from the y axis, anticlockwise. Quarter turns and mirror images about the axes and the
-/// diagonals are exact.
+/// Unit vector at 360 k / n degrees from the y axis, anticlockwise. Quarter turns and mirror images about the axes and
+/// the diagonals are exact.
 pub(crate) fn direction(k: usize, n: usize) -> DVec3 {
     let (quarter, rest) = (4 * k / n % 4, 4 * k % n);
     let eighth = |part: usize| libm::sincos(FRAC_PI_2 * (part as f64 / n as f64));
@@ -54,9 +54,9 @@ pub(crate) fn direction(k: usize, n: usize) -> DVec3 {
     DVec3::new(x, y, 0.0)
 }
 
-/// Vector area S = 1/2 sum r_i x r_(i+1) of the closed polygon through these vertices, m^2. Its magnitude is the area of a
-/// flat polygon; in a folded polygon, areas with opposite normals cancel. The vectors r_i begin at the first vertex, so
-/// that a polygon far from the origin loses no digits.
+/// Vector area S = 1/2 sum r_i x r_(i+1) of the closed polygon through these vertices, m^2. Its magnitude is the area
+/// of a flat polygon; in a folded polygon, areas with opposite normals cancel. The vectors r_i begin at the first
+/// vertex, so that a polygon far from the origin loses no digits.
 pub fn vector_area(vertices: &[DVec3]) -> DVec3 {
     let Some((&first, rest)) = vertices.split_first() else { return DVec3::ZERO };
     rest.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<DVec3>() * 0.5

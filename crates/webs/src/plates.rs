@@ -1,8 +1,8 @@
 //! The drawing that the topological web and the space web share: hexagonal plates on a triangular lattice, joined by
 //! double ropes.
 //!
-//! Each side of a plate faces one of its six neighbours. A link is a pair of parallel ropes between two facing sides, from
-//! corner to corner. The six corners of the web have no plate: both ropes of a link run to the corner's knot.
+//! Each side of a plate faces one of its six neighbours. A link is a pair of parallel ropes between two facing sides,
+//! from corner to corner. The six corners of the web have no plate: both ropes of a link run to the corner's knot.
 
 use std::collections::BTreeMap;
 
@@ -40,8 +40,8 @@ impl Plate {
     }
 }
 
-/// Draws the plates and the links between them: a web with this side and plates with side `plate_side`, both m. Returns the
-/// web and its plates in the order of their numbers.
+/// Draws the plates and the links between them: a web with this side and plates with side `plate_side`, both m. Returns
+/// the web and its plates in the order of their numbers.
 pub(crate) fn plated_web(kind: &PlateKind, side: f64, plate_side: f64) -> Result<(Web, Vec<Plate>), WebError> {
     positive("side", "the web's side", side)?;
     positive(kind.side_argument, &format!("the {}' side", kind.names), plate_side)?;

@@ -1,9 +1,9 @@
 //! The polygon web: a regular polygon filled with concentric polygons and radials.
 //!
-//! Ropes parallel to each side (parallels) lie one mesh apart from the middle to the side. A radial runs to every corner.
-//! Further radials divide the sector between two corners into cells that are about as wide as high: where cells would be
-//! wider than sqrt(2) meshes, a new radial begins in each and halves it. Unlike a square or hexagonal lattice, this
-//! drawing fits a polygon with any number of sides.
+//! Ropes parallel to each side (parallels) lie one mesh apart from the middle to the side. A radial runs to every
+//! corner. Further radials divide the sector between two corners into cells that are about as wide as high: where cells
+//! would be wider than sqrt(2) meshes, a new radial begins in each and halves it. Unlike a square or hexagonal lattice,
+//! this drawing fits a polygon with any number of sides.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -16,12 +16,12 @@ const MOST_SIDES: usize = 24;
 
 const MOST_PARALLELS: usize = 1000;
 
-/// Draws the polygon web: a regular polygon with 3 to 24 sides of length `side`, m, a corner at 90 degrees, and parallels
-/// about `mesh` apart, m ([`parallel_spacing`] is the exact distance).
+/// Draws the polygon web: a regular polygon with 3 to 24 sides of length `side`, m, a corner at 90 degrees, and
+/// parallels about `mesh` apart, m ([`parallel_spacing`] is the exact distance).
 ///
-/// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees. Classes:
-/// the outline, the other parallels as rings, and radials. Feature points: B is the knot in the middle, C the corner at 90
-/// degrees, D half way between.
+/// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees.
+/// Classes: the outline, the other parallels as rings, and radials. Feature points: B is the knot in the middle, C the
+/// corner at 90 degrees, D half way between.
 ///
 /// # Errors
 /// [`WebError::Argument`]: `sides`, `side` or `mesh` is out of its range.
@@ -129,7 +129,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_polygon_web_has_its_counts_lengths_area_cells_and_symmetry(sides in 3..=24_usize, side in 0.3..9.0_f64, share in 0.03..1.0_f64) {
+        fn every_polygon_web_has_its_counts_lengths_area_cells_and_symmetry(
+            sides in 3..=24_usize, side in 0.3..9.0_f64, share in 0.03..1.0_f64,
+        ) {
             let apothem = 0.5 * side / (PI / sides as f64).tan();
             let mesh = share * apothem;
             let web = polygon(sides, side, mesh).unwrap();
@@ -154,7 +156,8 @@ mod tests {
             prop_assert_eq!(cells.len(), web.ropes.len() + 1 - web.knots.len());
             let area = |cell: &Vec<usize>| vector_area(&cell.iter().map(|&n| net.nodes[n]).collect::<Vec<_>>()).z;
             prop_assert!(is(cells.iter().map(area).sum(), 0.5 * n * side * apothem));
-            // cells at the outline are at most sqrt 2 times as wide as high, and a little more for the slant of the radials
+            // cells at the outline are at most sqrt 2 times as wide as high, and a little more for the slant of the
+            // radials
             let width = |rope: &crate::Rope| web.drawn_length(rope);
             let widest = web.ropes.iter().filter(|rope| rope.class == Class::Outline).map(width).fold(0.0, f64::max);
             prop_assert!(widest <= spacing * SQRT_2 * (1.0 + 1.0 / (2.0 * parallels - 1.0)) + 1e-9);

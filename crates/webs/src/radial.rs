@@ -27,10 +27,10 @@ pub struct Radial {
 
 /// Draws the radial-and-ring web with a radial at 90 degrees.
 ///
-/// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees. Classes:
-/// the outline, the other rings and the hub as rings, and radials. The centre is the knot in the middle or the mean of the
-/// hub's knots. Feature points: B is the knot in the middle or the hub's knot at 90 degrees, C the corner at 90 degrees, D
-/// half way between.
+/// Knots are numbered from the middle outwards, ring by ring; corners anticlockwise from the one at 90 degrees.
+/// Classes: the outline, the other rings and the hub as rings, and radials. The centre is the knot in the middle or the
+/// mean of the hub's knots. Feature points: B is the knot in the middle or the hub's knot at 90 degrees, C the corner
+/// at 90 degrees, D half way between.
 ///
 /// # Errors
 /// [`WebError::Argument`]: a field of [`Radial`] is out of its range.

@@ -1,7 +1,7 @@
 //! The drawing that the polygon web and the radial-and-ring web share: concentric regular polygons joined by radials.
 //!
-//! A sector lies between the radials to two neighbouring corners and has radials of its own inside. Every radial lies on a
-//! ray from the middle: radial k of m in a sector meets each ring at the share k / m of its side.
+//! A sector lies between the radials to two neighbouring corners and has radials of its own inside. Every radial lies
+//! on a ray from the middle: radial k of m in a sector meets each ring at the share k / m of its side.
 
 use std::collections::BTreeMap;
 
@@ -19,15 +19,15 @@ pub(crate) struct Sectors {
     pub(crate) web_corners: usize,
     /// Distance of each ring's corners from the middle, ascending, m; a first radius of 0 gives one knot in the middle.
     pub(crate) radii: Vec<f64>,
-    /// Number of radials in a sector between each ring and the next, (rings - 1,). The radial to the sector's first corner
-    /// counts, the one to its second corner does not. Each number divides the one after it.
+    /// Number of radials in a sector between each ring and the next, (rings - 1,). The radial to the sector's first
+    /// corner counts, the one to its second corner does not. Each number divides the one after it.
     pub(crate) divisions: Vec<usize>,
 }
 
 impl Sectors {
-    /// Draws the web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes: outline,
-    /// ring, radial. Feature points lie on the ray at 90 degrees: B is the innermost knot, C the corner, D the knot half way
-    /// between or, if there is none, the middle of the rope.
+    /// Draws the web. Knots are numbered ring by ring outwards, each ring anticlockwise from 90 degrees. Classes:
+    /// outline, ring, radial. Feature points lie on the ray at 90 degrees: B is the innermost knot, C the corner, D the
+    /// knot half way between or, if there is none, the middle of the rope.
     pub(crate) fn web(&self) -> Web {
         let mut web = Web::default();
         let rings: Vec<Vec<usize>> = (0..self.radii.len()).map(|ring| self.add_ring(&mut web.knots, ring)).collect();

@@ -18,8 +18,8 @@ pub struct Sheet {
     pub nodes: Vec<DVec2>,
     /// Triangles by their nodes, anticlockwise.
     pub triangles: Vec<[usize; 3]>,
-    /// Pairs of triangles with a common edge: the two nodes of the edge, the third node of the triangle to its left, and the
-    /// third node of the triangle to its right.
+    /// Pairs of triangles with a common edge: the two nodes of the edge, the third node of the triangle to its left,
+    /// and the third node of the triangle to its right.
     pub hinges: Vec<[usize; 4]>,
     /// The node in the middle.
     pub middle: usize,

@@ -1,4 +1,5 @@
-//! The space web: hexagonal canopies on a triangular lattice, joined by double ropes; eighteen canopies carry a payload.
+//! The space web: hexagonal canopies on a triangular lattice, joined by double ropes; eighteen canopies carry a
+//! payload.
 
 use crate::plates::{PlateKind, plated_web};
 use crate::{Canopy, Web, WebError};

@@ -16,8 +16,8 @@ const ROUNDING: f64 = 1e-9;
 /// Draws the square net with this side and this mesh, both m. The mesh must divide the side.
 ///
 /// Knots are numbered row by row from below, corners anticlockwise from the upper right. Classes: outline, inner.
-/// Feature points: B is the knot nearest to the centre (of four, the lower left), C the upper right corner, D a knot half
-/// way between.
+/// Feature points: B is the knot nearest to the centre (of four, the lower left), C the upper right corner, D a knot
+/// half way between.
 ///
 /// # Errors
 /// [`WebError::Argument`]: `side` or `mesh` is not a positive length, or the mesh does not divide the side.

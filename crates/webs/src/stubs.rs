@@ -38,12 +38,12 @@ struct Plan {
 impl Web {
     /// Merges the inner knots of stubs into the outline and returns the ropes removed.
     ///
-    /// A stub joins a knot of the outline to a knot inside. It is shorter than `min_length`, m, and shorter than half the
-    /// longest rope at its inner knot: a whole mesh is thus no stub, for any `min_length`. A knot with several stubs moves
-    /// along the shortest. If another of its stubs then lies along a rope of the outline, this stub is removed too. The
-    /// outline keeps its shape. Knots of canopies, rope hexagons and the centre are never merged. Ropes and knots keep their
-    /// labels but not their indices. A rope that was tied to a merged knot gets its new length as drawn, unless it has a
-    /// rest length of its own.
+    /// A stub joins a knot of the outline to a knot inside. It is shorter than `min_length`, m, and shorter than half
+    /// the longest rope at its inner knot: a whole mesh is thus no stub, for any `min_length`. A knot with several
+    /// stubs moves along the shortest. If another of its stubs then lies along a rope of the outline, this stub is
+    /// removed too. The outline keeps its shape. Knots of canopies, rope hexagons and the centre are never merged.
+    /// Ropes and knots keep their labels but not their indices. A rope that was tied to a merged knot gets its new
+    /// length as drawn, unless it has a rest length of its own.
     pub fn merge_stubs(&mut self, min_length: f64) -> Vec<Merged> {
         let stubs = self.stubs(min_length);
         let plan = self.plan(&stubs);

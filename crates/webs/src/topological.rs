@@ -8,9 +8,9 @@ const HEXAGONS: PlateKind =
 
 /// Draws the topological web: a hexagon with this side and rope hexagons with side `hexagon_side`, both m.
 ///
-/// Rope hexagons are numbered like the canopies of [`crate::space`]. Feature points: B is a corner of the centre hexagon,
-/// C the outer corner of the outline's hexagon next to the web's corner at 90 degrees, D the middle of a radial rope about
-/// half way between them.
+/// Rope hexagons are numbered like the canopies of [`crate::space`]. Feature points: B is a corner of the centre
+/// hexagon, C the outer corner of the outline's hexagon next to the web's corner at 90 degrees, D the middle of a
+/// radial rope about half way between them.
 ///
 /// # Errors
 /// [`WebError::Argument`]: `side` or `hexagon_side` is not a positive length, or rope hexagons would touch.

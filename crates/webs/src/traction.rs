@@ -6,11 +6,12 @@ use crate::{Class, Knot, Rope, Site, Web, WebError};
 const MOST_PARALLEL: usize = 100;
 
 impl Web {
-    /// The web with a tractor at each corner, on `count` parallel ropes of this length, m. The ropes run from the corner
-    /// straight away from the middle of the web. With a length of 0 the tractors are tied straight to the corners.
+    /// The web with a tractor at each corner, on `count` parallel ropes of this length, m. The ropes run from the
+    /// corner straight away from the middle of the web. With a length of 0 the tractors are tied straight to the
+    /// corners.
     ///
-    /// Feature point A is the middle of the traction rope at the corner nearest to point C or, without a point C, at the
-    /// first corner. A point A that the web already has stays.
+    /// Feature point A is the middle of the traction rope at the corner nearest to point C or, without a point C, at
+    /// the first corner. A point A that the web already has stays.
     ///
     /// # Errors
     /// [`WebError::Argument`]: `length` or `count` is out of its range; [`WebError::NoCorners`],

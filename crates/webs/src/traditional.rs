@@ -1,8 +1,8 @@
 //! The traditional rope web: square cells clipped by a regular hexagon, with a rope along the outline.
 //!
-//! Ropes run along the lines x = i h and y = j h with h = side / cells per side. They are tied where they cross and where
-//! they meet the outline. The corners of the hexagon lie at 30, 90, 150, ... degrees from the x axis. Clipping leaves short
-//! ropes near the outline; [`Web::merge_stubs`] removes them.
+//! Ropes run along the lines x = i h and y = j h with h = side / cells per side. They are tied where they cross and
+//! where they meet the outline. The corners of the hexagon lie at 30, 90, 150, ... degrees from the x axis. Clipping
+//! leaves short ropes near the outline; [`Web::merge_stubs`] removes them.
 
 use std::collections::BTreeMap;
 
@@ -40,8 +40,8 @@ impl Grid {
         self.side / self.cells as f64
     }
 
-    /// The largest i of a column inside. No column lies on an upright side: its distance from the centre is an irrational
-    /// number of cells.
+    /// The largest i of a column inside. No column lies on an upright side: its distance from the centre is an
+    /// irrational number of cells.
     fn last_column(&self) -> i64 {
         (self.cells as f64 * 0.75_f64.sqrt()).floor() as i64
     }
@@ -75,7 +75,8 @@ impl Grid {
         End::Corner(if right > 0 { at_right } else { at_left })
     }
 
-    /// Position of an end, m, and its side of the hexagon; side 0 runs from the corner at 30 degrees to that at 90 degrees.
+    /// Position of an end, m, and its side of the hexagon; side 0 runs from the corner at 30 degrees to that at 90
+    /// degrees.
     fn place(&self, end: End) -> (DVec3, usize) {
         let slanted = |is_right: bool, is_up: bool| {
             let [at_left, at_right] = if is_up { [1, 0] } else { [3, 4] };
@@ -104,8 +105,8 @@ impl Grid {
 /// Draws the traditional web: a hexagon with this side, m, and 2 to 1000 square cells along a side.
 ///
 /// Knots inside are numbered row by row from below; those of the outline follow, anticlockwise from the corner at 30
-/// degrees. Classes: outline; radial for the two lines through the centre; inner for the others. Feature points: B is the
-/// knot in the centre, C the corner at 90 degrees, D the knot half way between.
+/// degrees. Classes: outline; radial for the two lines through the centre; inner for the others. Feature points: B is
+/// the knot in the centre, C the corner at 90 degrees, D the knot half way between.
 ///
 /// # Errors
 /// [`WebError::Argument`]: `side` or `cells_per_side` is out of its range.

@@ -152,8 +152,8 @@ impl Web {
         (ring.len() >= 3).then(|| vector_area(&ring).length())
     }
 
-    /// The tractors' knots anticlockwise round the middle, beginning with the first tractor. In this order their polygon
-    /// does not cross itself, in whatever order a user named the corners.
+    /// The tractors' knots anticlockwise round the middle, beginning with the first tractor. In this order their
+    /// polygon does not cross itself, in whatever order a user named the corners.
     pub fn tractor_ring(&self) -> Vec<usize> {
         let angle = |knot: usize| {
             let arm = self.knots[knot].position - self.middle;

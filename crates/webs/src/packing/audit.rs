@@ -1,33 +1,32 @@
-//! The audit of a stowed web: whether anything is stretched, what energy that stores, and how much room the web
-//! takes.
+//! The audit of a stowed web: which members are stretched, how much energy they store, and the size of the packed web.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
 
-/// A tension member between two nodes, whether rope or canopy fabric.
+/// A tension member between two nodes: a segment of rope or a member of canopy fabric.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StowedSegment {
-    /// Node it begins at.
+    /// Node at its beginning.
     pub a: usize,
-    /// Node it ends at.
+    /// Node at its end.
     pub b: usize,
-    /// Length without tension, m.
+    /// Rest length, m.
     pub rest_length: f64,
     /// Stiffness EA / rest length, N/m.
     pub stiffness: f64,
 }
 
-/// The member that is nearest to being stretched, or stretched most.
+/// The member with the largest relative stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LongestStretch {
     /// Its index among the members audited.
     pub segment: usize,
-    /// Its stowed length over its rest length, less 1: positive where stretched, negative where slack.
+    /// Stowed length over rest length, less 1: positive where stretched, negative where slack.
     pub stretch: f64,
 }
 
-/// The smallest cylinder about the launch axis that holds some nodes.
+/// Size of the smallest cylinder about the launch axis that holds all nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Size {
     /// Largest distance of a node from the launch axis, m.
@@ -37,7 +36,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// That of nodes at these positions in the launch frame, m; 0 where there are none.
+    /// The size for nodes at these positions in the launch frame, m; zero without nodes.
     pub fn of(positions: impl Iterator<Item = DVec3>) -> Size {
         let (mut radius, mut least, mut most) = (0.0_f64, f64::INFINITY, f64::NEG_INFINITY);
         for position in positions {
@@ -47,16 +46,16 @@ impl Size {
         Size { radius, height: (most - least).max(0.0) }
     }
 
-    /// Its volume, m^3.
+    /// Volume of the cylinder, m^3.
     pub fn volume(&self) -> f64 {
         PI * self.radius * self.radius * self.height
     }
 }
 
-/// What a stowed web is like.
+/// Stretch, stored energy and size of a stowed web.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Audit {
-    /// The member stretched most; none where there are no members. The first of equals.
+    /// The member with the largest stretch, the first of equals; none without members.
     pub longest: Option<LongestStretch>,
     /// Number of members that are stretched by more than [`Audit::TOLERANCE`].
     pub stretched: usize,
@@ -69,7 +68,7 @@ pub struct Audit {
 }
 
 impl Audit {
-    /// A stretch (relative) that rounding explains.
+    /// Largest relative stretch that is ascribed to rounding.
     pub const TOLERANCE: f64 = 1e-9;
 
     /// Whether no member is stretched.
@@ -78,7 +77,10 @@ impl Audit {
     }
 }
 
-/// Audits positions in the launch frame, m, and the members between them.
+/// Audits the members between nodes at these positions in the launch frame, m, (nodes,).
+///
+/// # Panics
+/// If a member names a node without a position.
 pub fn audit(positions: &[DVec3], segments: impl IntoIterator<Item = StowedSegment>) -> Audit {
     let mut longest: Option<LongestStretch> = None;
     let (mut stretched, mut stored_energy) = (0, 0.0);
@@ -100,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_stretched_and_one_slack_member() {
+    fn the_longest_stretch_the_stored_energy_and_the_size_are_found() {
         let positions = [DVec3::ZERO, DVec3::new(3.0, 0.0, -4.0), DVec3::new(3.0, 4.0, 1.0)];
         let member = |a, b, rest_length| StowedSegment { a, b, rest_length, stiffness: 1000.0 };
         let audit = audit(&positions, [member(0, 1, 10.0), member(0, 1, 4.0), member(1, 2, 7.0)]);
@@ -111,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn rounding_is_no_stretch() {
+    fn a_stretch_by_rounding_does_not_count() {
         let positions = [DVec3::ZERO, DVec3::X * (1.0 + 1e-14)];
         let audit = audit(&positions, [StowedSegment { a: 0, b: 1, rest_length: 1.0, stiffness: 1e6 }]);
         assert!(audit.is_slack());

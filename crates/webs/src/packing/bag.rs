@@ -1,11 +1,12 @@
-//! A bag: the web is drawn in to a radius. Its middle hangs below, its tractors stand on top in the muzzle's plane.
+//! Packs a web into a bag: the rim is drawn in to a radius, the middle hangs below, and the tractors stand on top in
+//! the muzzle's plane.
 //!
 //! ```text
 //! r -> a r,   theta -> theta,   z = -gap - depth (1 - r / r_max),   a = radius / r_max
 //! ```
-//! Here r and theta are polar coordinates about the web's middle in its plane, and r_max is the web's radius. Two points
-//! at a distance ds, dr of it radial, have images at a distance of at most sqrt(a^2 ds^2 + (depth dr / r_max)^2). As
-//! dr <= ds, no rope is stretched where radius^2 + depth^2 <= r_max^2.
+//! Here r and theta are polar coordinates about the web's middle in its plane, and r_max is the web's radius. Two
+//! points at the distance ds, with radii that differ by dr <= ds, are mapped to points at a distance of at most
+//! sqrt(a^2 ds^2 + (depth dr / r_max)^2). No rope is thus stretched if radius^2 + depth^2 <= r_max^2.
 
 use glam::DVec3;
 
@@ -13,22 +14,22 @@ use super::mouth::{Mouth, ROUNDING, size};
 use super::{Imperfection, PackingError};
 use crate::{CutWeb, Web};
 
-/// Depth of a bag where none is given, as a share of the largest possible depth: ropes are then slack.
+/// Default depth of a bag as a share of the largest possible depth; ropes are then slack.
 const DEFAULT_SHARE: f64 = 0.6;
 
-/// The web in a bag; lengths in m.
+/// Sizes of a bag; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bag {
-    /// Radius that the web's rim (its farthest knot) is drawn in to.
+    /// Radius of the packed web's rim: the circle of its farthest knot.
     pub radius: f64,
-    /// How far the middle hangs below the rim; none: 0.6 of the largest possible depth.
+    /// Distance from the middle up to the rim; none: 0.6 of the largest possible depth.
     pub depth: Option<f64>,
     /// Where the tractors stand.
     pub mouth: Mouth,
 }
 
 impl Bag {
-    /// The bag of this radius, m, with its other sizes by default.
+    /// A bag with this radius, m, and default values for the other sizes.
     pub fn of_radius(radius: f64) -> Bag {
         Bag { radius, depth: None, mouth: Mouth::default() }
     }
@@ -63,16 +64,16 @@ impl Bag {
     }
 }
 
-/// The bag's shape with its rim in the plane z = 0.
+/// The shape of a bag with its rim in the plane z = 0; lengths in m.
 struct BagShape {
     radius: f64,
     depth: f64,
-    /// The flat web's radius.
+    /// Radius of the flat web.
     reach: f64,
 }
 
 impl BagShape {
-    /// Where a point of the flat web, relative to its middle, lies in the bag.
+    /// Place in the bag of a point of the flat web, given relative to its middle, m.
     fn place(&self, point: DVec3) -> DVec3 {
         let flat = point.truncate();
         (flat * (self.radius / self.reach)).extend(-self.depth * (1.0 - flat.length() / self.reach))
@@ -103,7 +104,7 @@ mod tests {
         assert!(corner.distance(DVec3::new(0.0, 0.25, -0.5)) < 1e-12);
         assert!(packed[net.web.centre[0]].distance(DVec3::new(0.0, 0.0, -1.5)) < 1e-12);
         assert!(packed[net.web.tractors[1]].distance(DVec3::new(0.0, 0.4, 0.0)) < 1e-12);
-        // traction ropes: ten equal steps from corner to tractor
+        // a traction rope: ten equal steps from corner to tractor
         let nodes = net.nodes_of(net.web.traction[1][0]);
         for pair in nodes.windows(2) {
             let step = packed[pair[1]] - packed[pair[0]];
@@ -112,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn default_sizes_leave_six_tenths() {
+    fn the_default_depth_and_gap_are_0_6_of_the_largest() {
         let net = paper_web();
         let packed = Bag::of_radius(0.25).pack(&net, None).unwrap();
         assert!((packed[net.web.corners[0]].z + 0.6 * 1.0355).abs() < 1e-12);
@@ -122,9 +123,9 @@ mod tests {
     }
 
     #[test]
-    fn a_radial_rope_is_just_not_stretched_at_the_largest_depth_and_beyond_it_the_depth_is_refused() {
+    fn at_the_largest_depth_a_radial_rope_is_straight_and_a_larger_depth_is_refused() {
         let net = cut(&traditional(2.5, 6).unwrap(), &Cutting::SegmentLength(0.1)).unwrap();
-        // 1.5, 2 and 2.5: the largest depth is 2 m
+        // largest depth: sqrt(2.5^2 - 1.5^2) m = 2 m
         let bag = |depth| Bag { depth: Some(depth), ..Bag::of_radius(1.5) }.pack(&net, None);
         let longest = longest_stretch(&net, &bag(2.0).unwrap());
         assert!(longest.abs() < 1e-12, "{longest}");
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_gap_is_the_one_at_which_the_traction_ropes_are_straight_and_full() {
+    fn at_the_largest_gap_the_traction_ropes_are_straight_and_a_larger_gap_is_refused() {
         let net = paper_web();
         let bag = |gap| {
             Bag { mouth: Mouth { tractor_radius: Some(0.75), tractor_gap: Some(gap) }, ..Bag::of_radius(0.25) }
@@ -152,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn without_traction_ropes_tractors_ride_on_the_corners() {
+    fn without_traction_ropes_tractors_lie_at_the_corners() {
         let web = square(2.0, 0.5).unwrap().with_traction(0.0, 1).unwrap();
         let net = cut(&web, &Cutting::SegmentLength(0.25)).unwrap();
         let packed = Bag::of_radius(0.2).pack(&net, None).unwrap();
@@ -163,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn impossible_sizes_are_refused() {
+    fn sizes_out_of_their_ranges_are_refused() {
         let net = paper_web();
         let bag = Bag::of_radius(0.25);
         for radius in [0.0, -1.0, 2.6, f64::NAN] {

@@ -1,8 +1,7 @@
-//! Closeness: the least distance of two ropes that share no knot.
+//! Closeness: the least distance between two ropes that share no knot.
 //!
-//! Centre lines of segments are compared, except those of ropes that share a knot. Candidates come from parry's tree
-//! of bounding boxes, distances from its closest points of two segments (Ericson, Real-Time Collision Detection, 2005,
-//! 5.1.9).
+//! The distance is that of the centre lines of two segments (Ericson, Real-Time Collision Detection, 2005, 5.1.9). A
+//! tree of bounding boxes finds the pairs of segments that are near each other.
 
 use glam::DVec3;
 use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
@@ -12,30 +11,30 @@ use parry3d_f64::shape::Segment;
 
 use crate::CutWeb;
 
-/// The most pairs of segments that are compared; a second or two.
+/// Largest number of pairs of segments to compare, which takes a second or two.
 const MOST_PAIRS: usize = 50_000_000;
 
-/// How near ropes that share no knot come to each other.
+/// How close ropes without a common knot are to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closeness {
-    /// The two segments that come nearest; none where all ropes share a knot. The first of equals.
+    /// The closest two segments, the first of equals; none if every two ropes share a knot.
     pub closest: Option<Approach>,
-    /// Pairs of segments that come nearer than the mean diameter of their ropes, and so would touch.
+    /// Number of pairs of segments that touch: their distance is less than the mean diameter of their ropes.
     pub touching: usize,
 }
 
-/// Where two segments come nearest.
+/// The least distance between two segments, and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach {
-    /// The segments, by their numbers in [`CutWeb::segments`].
+    /// The two segments, by their places in [`CutWeb::segments`].
     pub segments: [usize; 2],
-    /// Distance of their centre lines, m.
+    /// Distance between their centre lines, m.
     pub distance: f64,
-    /// The point halfway between them, m.
+    /// The point half way between their nearest points, m.
     pub place: DVec3,
 }
 
-/// Compares the segments of a web at these positions, m; `diameters` are those of its ropes, m. None where more than
+/// Closeness of a web at these positions, m, (nodes,), with ropes of these diameters, m, (ropes,). None if more than
 /// 50 million pairs of segments lie near each other.
 pub fn closeness(cut_web: &CutWeb, positions: &[DVec3], diameters: &[f64]) -> Option<Closeness> {
     let strands: Vec<Strand> = cut_web
@@ -49,27 +48,31 @@ pub fn closeness(cut_web: &CutWeb, positions: &[DVec3], diameters: &[f64]) -> Op
     let boxes: Vec<Aabb> = strands.iter().map(|strand| strand.segment.local_aabb()).collect();
     let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
     let size = if boxes.is_empty() { 0.0 } else { tree.root_aabb().extents().length() };
-    // pairs within a margin of each other are found; where there is none, within a larger one
+    // the tree finds the pairs within a margin; the margin grows until it holds the closest pair
     let mut margin = diameters.iter().copied().fold(0.0, f64::max);
     let mut budget = MOST_PAIRS;
     loop {
         let near = compare(&strands, &boxes, &tree, margin, &mut budget)?;
-        // beyond the margin a nearer pair may not have been found
-        let is_sure = near.closest.is_some_and(|closest| closest.distance <= margin);
-        if is_sure || margin >= size {
+        // a pair farther apart than the margin need not be the closest one
+        let is_closest = near.closest.is_some_and(|closest| closest.distance <= margin);
+        if is_closest || margin >= size {
             return Some(near);
         }
         margin = (4.0 * margin).max(1e-3 * size);
     }
 }
 
+/// A segment with its rope.
 struct Strand {
     segment: Segment,
+    /// Radius of its rope, m.
     radius: f64,
-    /// The knots of its rope.
+    /// The two knots of its rope.
     knots: [usize; 2],
 }
 
+/// Closeness of the pairs whose bounding boxes are within `margin` of each other, m. Takes one from `budget` for each
+/// pair; none if the budget is spent.
 fn compare(strands: &[Strand], boxes: &[Aabb], tree: &Bvh, margin: f64, budget: &mut usize) -> Option<Closeness> {
     let mut found = Closeness { closest: None, touching: 0 };
     for (first, strand) in strands.iter().enumerate() {
@@ -84,7 +87,7 @@ fn compare(strands: &[Strand], boxes: &[Aabb], tree: &Bvh, margin: f64, budget: 
             let (place, distance) = nearest(&strand.segment, &other.segment);
             found.touching += usize::from(distance < strand.radius + other.radius);
             let approach = Approach { segments: [first, second], distance, place };
-            // the tree returns its leaves in no particular order
+            // the order of pairs from the tree is not defined, so equal distances are decided by the segments
             let key = |approach: &Approach| (approach.distance, approach.segments);
             if found.closest.is_none_or(|closest| key(&approach) < key(&closest)) {
                 found.closest = Some(approach);
@@ -94,7 +97,7 @@ fn compare(strands: &[Strand], boxes: &[Aabb], tree: &Bvh, margin: f64, budget: 
     Some(found)
 }
 
-/// The point halfway between the nearest points of two segments, and the distance of these, m.
+/// The point half way between the nearest points of two segments, and the distance between these points, m.
 fn nearest(one: &Segment, other: &Segment) -> (DVec3, f64) {
     let places = closest_points_segment_segment_with_locations_nD((&one.a, &one.b), (&other.a, &other.b));
     let (a, b) = (one.point_at(&places.0), other.point_at(&places.1));
@@ -111,13 +114,13 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_ropes_of_a_flat_net_that_share_no_knot_are_a_mesh_apart() {
+    fn ropes_of_a_flat_net_without_a_common_knot_are_a_mesh_apart() {
         let net = net();
         let found = closeness(&net, &net.nodes, &vec![0.01; net.ropes.len()]).unwrap();
         let closest = found.closest.unwrap();
         assert!((closest.distance - 1.0).abs() < 1e-12, "{closest:?}");
         assert_eq!(found.touching, 0);
-        // a tenth of the size, ropes as thick as the meshes are wide
+        // a tenth of the size, with ropes a little thicker than the meshes are wide
         let small = Pattern::Scale(Scale { factor: 0.1 }).pack(&net).unwrap();
         let found = closeness(&net, &small, &vec![0.101; net.ropes.len()]).unwrap();
         assert!((found.closest.unwrap().distance - 0.1).abs() < 1e-12);
@@ -125,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pair_is_compared() {
+    fn the_tree_finds_what_a_comparison_of_all_pairs_finds() {
         let net = net();
         let jumbled: Vec<DVec3> = (0..net.nodes.len())
             .map(|node| DVec3::new((node * 7 % 11) as f64, (node * 5 % 13) as f64, (node * 3 % 17) as f64))
@@ -151,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn crossing_parallel_and_skew_segments() {
+    fn crossing_parallel_and_collinear_segments_have_their_distances() {
         let segment = |a: [f64; 3], b: [f64; 3]| Segment::new(a.into(), b.into());
         let along = segment([0.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
         for (other, distance) in [

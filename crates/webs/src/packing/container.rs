@@ -1,25 +1,25 @@
-//! The container that a web is packed into.
+//! The container of a packed web: a tube or a box.
 
 use std::f64::consts::SQRT_2;
 use std::fmt;
 
 use glam::DVec3;
 
-/// A container about the launch axis, its mouth at the top. Sizes are inner ones, in m.
+/// A container about the launch axis, open at the top. Sizes are inside sizes, in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Container {
     /// A tube.
     Cylinder {
-        /// Its radius.
+        /// Radius.
         radius: f64,
         /// Its height along the launch axis.
         height: f64,
     },
     /// A box.
     Box {
-        /// Its size along x.
+        /// Size along x.
         width: f64,
-        /// Its size along y.
+        /// Size along y.
         breadth: f64,
         /// Its height along the launch axis.
         height: f64,
@@ -27,13 +27,13 @@ pub enum Container {
 }
 
 impl Container {
-    /// Its height, m.
+    /// Height along the launch axis, m.
     pub fn height(&self) -> f64 {
         let (Container::Cylinder { height, .. } | Container::Box { height, .. }) = *self;
         height
     }
 
-    /// Radius of the largest circle about the axis in its cross-section, m.
+    /// Radius of the largest circle in the cross-section, m.
     pub fn radius(&self) -> f64 {
         match *self {
             Container::Cylinder { radius, .. } => radius,
@@ -41,7 +41,7 @@ impl Container {
         }
     }
 
-    /// Width and breadth of a rectangle in its cross-section, m: the largest square in a cylinder's.
+    /// Width and breadth of the largest rectangle in the cross-section, m.
     pub(super) fn rectangle(&self) -> [f64; 2] {
         match *self {
             Container::Cylinder { radius, .. } => [SQRT_2 * radius; 2],
@@ -49,7 +49,7 @@ impl Container {
         }
     }
 
-    /// Whether points lie in it once its mouth is moved along the axis to the highest of them, rounding apart.
+    /// Whether the container holds all points if its mouth lies at the height of the highest point, up to rounding.
     pub(super) fn holds(&self, points: impl Iterator<Item = DVec3>) -> bool {
         let room = 1.0 + 1e-9;
         let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -68,7 +68,7 @@ impl Container {
         highest - lowest <= self.height() * room
     }
 
-    /// The sizes changed by `change`.
+    /// The container with each size, m, replaced by `change` of it.
     pub(super) fn with_sizes(&self, change: impl Fn(f64) -> f64) -> Container {
         match *self {
             Container::Cylinder { radius, height } => {
@@ -80,7 +80,7 @@ impl Container {
         }
     }
 
-    /// The container of the centre lines of ropes of this `thickness`, m.
+    /// The room for the centre lines of ropes of this thickness, m: half a thickness away from every wall.
     pub(super) fn for_centre_lines(&self, thickness: f64) -> Container {
         match *self {
             Container::Cylinder { radius, height } => Container::Cylinder {

@@ -1,25 +1,25 @@
-//! Distance limits: how far apart two nodes of a packed web may be.
+//! Distance limits: the largest distance between two nodes of a packed web.
 //!
-//! A rope bears no compression, so that its ends may be nearer to each other than its length, and never farther. The
+//! The ends of a rope can be nearer to each other than its length, where the rope is slack, but not farther apart. The
 //! same holds for two knots of one canopy.
 
 use crate::CutWeb;
 
-/// Two nodes and their largest distance.
+/// A pair of nodes with the largest distance allowed between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DistanceLimit {
     /// The two nodes.
     pub ends: [usize; 2],
-    /// Their largest distance, m.
+    /// The largest distance, m.
     pub length: f64,
 }
 
-/// The limit of every segment of rope: its rest length.
+/// One limit for every segment of rope: its rest length.
 pub(super) fn of_ropes(cut_web: &CutWeb) -> impl Iterator<Item = DistanceLimit> {
     cut_web.segments().map(|segment| DistanceLimit { ends: [segment.a, segment.b], length: segment.rest_length })
 }
 
-/// The limit of every pair of knots of one canopy: their distance in the flat web.
+/// One limit for every pair of knots of a canopy: their distance in the flat web.
 pub(super) fn of_canopies(cut_web: &CutWeb) -> impl Iterator<Item = DistanceLimit> {
     let mut limits = Vec::new();
     for canopy in &cut_web.web.canopies {

@@ -1,8 +1,8 @@
-//! A web folded into a container: its pattern, its container, the distance of its layers.
+//! Folds a web into a container, by one of five patterns.
 //!
-//! Every pattern is a map of the plane that moves no two points apart (`bend.rs`, `rings.rs` and `star.rs` say why).
-//! Ropes and cloth, which are drawn in the plane, are therefore not stretched. A web that is not flat is first projected
-//! on its plane; that moves no points apart either.
+//! A pattern is a map of the plane that moves no two points farther apart (proved in `bend.rs`, `rings.rs` and
+//! `star.rs`). Folding thus stretches no rope and no cloth. A web that is not flat is first projected on its plane,
+//! which moves no two points farther apart either.
 
 use glam::{DVec2, DVec3};
 
@@ -12,18 +12,18 @@ use super::star::{self, Arms};
 use super::{Container, Imperfection, PackingError, rings};
 use crate::{CutWeb, Web};
 
-/// How a web is folded.
+/// The pattern of a folded web.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Folding {
-    /// An accordion along rings: the middle on the floor, the rest in walls about it that go up and down.
+    /// An accordion along rings: the middle lies on the floor, the rest goes up and down in walls about it.
     Rings,
-    /// An accordion along parallel lines, folded once more across: every layer upright.
+    /// An accordion along parallel lines with upright layers, folded a second time across.
     Lines,
-    /// Flat layers on one another: a stack of strips, folded once more across.
+    /// An accordion along parallel lines with flat layers, folded a second time across.
     Layers,
-    /// A band of upright layers, rolled up from its middle.
+    /// An accordion along parallel lines with upright layers, rolled up from its middle.
     Roll,
-    /// Radial folds wound round the middle.
+    /// Radial folds, wound round the middle.
     Star {
         /// Number of arms; none: the number of corners, or 6 where there are fewer than 3 corners.
         arms: Option<u32>,
@@ -33,9 +33,9 @@ pub enum Folding {
 /// The web folded into a container.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Folded {
-    /// The pattern.
+    /// Pattern.
     pub folding: Folding,
-    /// The container.
+    /// Container.
     pub container: Container,
     /// Distance between the centre lines of neighbouring layers, m: the thickness of a layer.
     pub spacing: f64,
@@ -63,7 +63,7 @@ impl Folded {
         Ok(packed)
     }
 
-    /// Positions of the web in this container, its top at z = 0, m, (nodes,); none where it does not fit.
+    /// Positions of the web in this container with its top at z = 0, m, (nodes,); none if the web does not fit.
     fn within(&self, flat: &Flat, container: &Container) -> Option<Vec<DVec3>> {
         let room = container.for_centre_lines(self.spacing);
         let map = self.map(flat, &room);
@@ -71,7 +71,7 @@ impl Folded {
         let of_the_web = || flat.is_web.iter().zip(&packed).filter(|(is_web, _)| **is_web).map(|(_, &place)| place);
         let least = of_the_web().fold(DVec3::INFINITY, DVec3::min);
         let most = of_the_web().fold(DVec3::NEG_INFINITY, DVec3::max);
-        // rings and star lie about the axis, folds begin anywhere
+        // rings and star are centred on the axis already, the other patterns are not
         let aside = match self.folding {
             Folding::Rings | Folding::Star { .. } => DVec3::ZERO,
             Folding::Lines | Folding::Layers | Folding::Roll => 0.5 * (least + most),
@@ -83,6 +83,7 @@ impl Folded {
         room.holds(web).then_some(packed)
     }
 
+    /// The map of the pattern for a container of this size.
     fn map(&self, flat: &Flat, room: &Container) -> Map {
         let legs = match self.folding {
             Folding::Rings => return Box::new(rings::fold(flat.radius, room, self.spacing)),
@@ -94,10 +95,10 @@ impl Folded {
         Box::new(folds::fold(legs, flat.least, flat.most, room, self.spacing))
     }
 
-    /// The smallest container of the same proportions that the web fits, in steps of 1 %, its sizes rounded up to three
-    /// digits; none if not even one a thousand times as large takes it.
+    /// The smallest container of the same proportions that holds the web, in steps of 1 %, with its sizes rounded up to
+    /// three digits; none if one a thousand times as large does not hold it.
     fn enough(&self, flat: &Flat) -> Option<Container> {
-        // whole numbers of layers: a larger container may fail where a smaller one does
+        // no bisection: layers come in whole numbers, so a larger container can fail where a smaller one holds the web
         let factors = std::iter::successors(Some(1.01), |factor| Some(1.01 * factor));
         let containers = factors.map(|factor| self.container.with_sizes(|size| round_up(size * factor)));
         containers.take(700).find(|container| self.within(flat, container).is_some())
@@ -110,14 +111,14 @@ fn round_up(value: f64) -> f64 {
     (value / digit).ceil() * digit
 }
 
-/// The flat web, as the patterns see it.
+/// The flat web, projected on its plane.
 struct Flat<'a> {
     web: &'a Web,
-    /// Every node relative to the middle, m.
+    /// Positions of all nodes relative to the middle, m, (nodes,).
     nodes: Vec<DVec2>,
-    /// Whether a node belongs to the web itself: not to a traction rope, and not a tractor on one.
+    /// Whether each node belongs to the web itself, (nodes,): see [`CutWeb::is_web`].
     is_web: Vec<bool>,
-    /// Least coordinates of the web's nodes, m.
+    /// Smallest coordinates of the web's nodes, m.
     least: DVec2,
     /// Largest coordinates of the web's nodes, m.
     most: DVec2,
@@ -136,6 +137,7 @@ impl Flat<'_> {
         Flat { web, least, most, radius: web.radius(), nodes, is_web }
     }
 
+    /// The arms of a star, the first towards the first corner.
     fn arms(&self, stated: Option<u32>) -> Arms {
         let corners = &self.web.corners;
         let count = stated.map_or(if corners.len() < 3 { 6.0 } else { corners.len() as f64 }, f64::from);
@@ -168,8 +170,8 @@ mod tests {
         Folded { folding, container, spacing, mouth: Mouth::default() }
     }
 
-    /// A net of 4 m and 5 x 5 knots, and where its corner, the middle of a side, its centre and half the way from that to the
-    /// corner come to lie.
+    /// Packs a square net of 4 m and 5 x 5 knots. Returns the positions of a corner, of the middle of a side, of the
+    /// centre, and of the knot half way from the centre to the corner.
     fn packed_square(folding: Folding, container: Container, spacing: f64) -> [DVec3; 4] {
         let net = cut(&square(4.0, 1.0).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
         let packed = folded(folding, container, spacing).pack(&net, None).unwrap();
@@ -181,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn a_net_that_needs_no_fold_lies_flat() {
+    fn a_net_that_fits_its_container_unfolded_lies_flat() {
         for folding in [Folding::Rings, Folding::Lines, Folding::Layers] {
             let container = Container::Box { width: 6.0, breadth: 6.0, height: 5.0 };
             let [corner, side, centre, _] = packed_square(folding, container, 0.01);
@@ -191,8 +193,8 @@ mod tests {
     }
 
     #[test]
-    fn walls_stand_about_a_floor_and_end_at_the_top() {
-        // a floor of 0.5 m - 2 x 0.1 m and three walls of a with two bends take the radius of sqrt(8) m
+    fn rings_stand_in_walls_about_a_floor_and_end_at_the_top() {
+        // a floor with a radius of 0.5 m - 2 x 0.1 m, three walls and two bends take up the web's radius of sqrt(8) m
         let container = Container::Cylinder { radius: 0.55, height: 1.1 };
         let [corner, _, centre, halfway] = packed_square(Folding::Rings, container, 0.1);
         let wall = (8.0_f64.sqrt() - 0.3 - 0.1 * PI) / 3.0;
@@ -205,8 +207,8 @@ mod tests {
     }
 
     #[test]
-    fn a_roll_of_one_layer_has_the_radius_of_its_area() {
-        // 4 m of a band as high as the net, wound at 0.02 m: pi R^2 is about 4 m x 0.02 m
+    fn the_radius_of_a_roll_of_one_layer_follows_from_its_area() {
+        // a band 4 m long is wound at a pitch of 0.02 m: pi R^2 is about 4 m x 0.02 m
         let container = Container::Cylinder { radius: 0.2, height: 5.0 };
         let [corner, side, centre, _] = packed_square(Folding::Roll, container, 0.02);
         assert!((corner.z - centre.z).abs() - 2.0 < 1e-12);
@@ -216,13 +218,13 @@ mod tests {
     }
 
     #[test]
-    fn a_container_that_is_too_small_says_which_does() {
+    fn the_error_of_a_container_too_small_names_one_that_is_large_enough() {
         let net = cut(&square(4.0, 1.0).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
         let container = Container::Box { width: 0.5, breadth: 0.5, height: 0.05 };
         let error = folded(Folding::Layers, container, 0.01).pack(&net, None).unwrap_err();
         let PackingError::Room { enough: Some(enough), .. } = error else { panic!("{error}") };
         assert!(folded(Folding::Layers, enough, 0.01).pack(&net, None).is_ok());
-        // all of the net's 16 m^2, 0.01 m thick, and not much more
+        // the net's volume, 16 m^2 x 0.01 m, and not much more
         let Container::Box { width, breadth, height } = enough else { panic!() };
         let volume = width * breadth * height;
         assert!(volume > 0.16 && volume < 0.3, "{error}: {volume} m^3");
@@ -231,7 +233,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(512))]
         #[test]
-        fn what_fits_its_container_stretches_no_rope_however_it_is_folded_and_disturbed(
+        fn no_folding_and_no_imperfection_stretches_a_rope(
             kind in 0..SAMPLES.len(),
             folding in 0..FOLDINGS.len(),
             radius in 0.1..2.0_f64,
@@ -252,7 +254,8 @@ mod tests {
             let imperfection =
                 imperfection.map(|(scatter, twist, slack, seed)| Imperfection { scatter, twist, slack, seed });
             let pack = |container| {
-                Pattern::Folded(folded(FOLDINGS[folding], container, spacing)).pack_imperfectly(&net, imperfection.as_ref())
+                let folded = Pattern::Folded(folded(FOLDINGS[folding], container, spacing));
+                folded.pack_imperfectly(&net, imperfection.as_ref())
             };
             let packed = match pack(container) {
                 Err(PackingError::Room { enough, .. }) => pack(enough.expect("some container does")),
@@ -263,7 +266,7 @@ mod tests {
         }
 
         #[test]
-        fn what_is_packed_lies_in_its_container(
+        fn every_node_of_a_folded_web_lies_in_its_container(
             kind in 0..SAMPLES.len(), folding in 0..FOLDINGS.len(), radius in 0.2..1.0_f64, height in 0.2..3.0_f64,
         ) {
             let net = cut(&SAMPLES[kind](), &Cutting::SegmentLength(0.1)).unwrap();

@@ -1,15 +1,15 @@
-//! Positions that the user gives: of every knot, and of as many nodes inside ropes as are known. Nodes in between lie
-//! evenly on the line between the nearest known nodes of their rope.
+//! A web at given positions: of every knot, and of any nodes inside ropes. The other nodes are spaced evenly on the
+//! line between the nearest given nodes of their rope.
 
 use glam::DVec3;
 
 use super::PackingError;
 use crate::CutWeb;
 
-/// The web where the user says.
+/// Positions that a user gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Given {
-    /// Position of each node of the cut web in the launch frame, m; knots need one.
+    /// Position of each node in the launch frame, m, (nodes,). Every knot must have one.
     pub positions: Vec<Option<DVec3>>,
 }
 
@@ -30,7 +30,7 @@ impl Given {
             return Err(PackingError::NotFinite(cut_web.node_label(node)));
         }
 
-        // every node that is still unknown lies inside a rope between two known ones
+        // every other node lies inside a rope, between two given nodes
         let mut packed: Vec<DVec3> = self.positions.iter().map(|position| position.unwrap_or_default()).collect();
         for rope in 0..cut_web.ropes.len() {
             let nodes = cut_web.nodes_of(rope);
@@ -62,14 +62,14 @@ mod tests {
     }
 
     #[test]
-    fn knots_alone_give_straight_ropes() {
+    fn with_positions_of_knots_alone_ropes_are_straight() {
         let net = net();
         let packed = Given { positions: knots_only(&net) }.pack(&net).unwrap();
         assert!(packed.iter().zip(&net.nodes).all(|(packed, flat)| packed.distance(*flat) < 1e-15));
     }
 
     #[test]
-    fn a_known_node_bends_its_rope() {
+    fn a_rope_runs_through_a_given_node_inside_it() {
         let net = net();
         let mut positions = knots_only(&net);
         let nodes = net.nodes_of(0);
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn missing_knots_are_all_named() {
+    fn all_knots_without_a_position_are_named() {
         let net = net();
         let mut positions = knots_only(&net);
         positions[1] = None;
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_lists_are_refused() {
+    fn lists_of_a_wrong_length_or_with_positions_not_finite_are_refused() {
         let net = net();
         assert!(matches!(Given { positions: vec![] }.pack(&net), Err(PackingError::Count { .. })));
         let mut positions = knots_only(&net);

@@ -1,16 +1,16 @@
-//! Seeded imperfection of a packed web: the web is twisted, shrunk a little and scattered. That stretches nothing.
+//! Seeded imperfection of a packed web: the web is twisted, shrunk a little and scattered, but no rope is stretched.
 //!
-//! 1. Every node is turned about the launch axis in proportion to its depth: by 0 at the top, by `twist` at the lowest
-//!    node.
-//! 2. The web is shrunk towards the axis at its top: by as much as the twist has exceeded any distance limit, and then by
-//!    `slack`.
-//! 3. Node by node, in order, each is moved aside, normal to the axis, by two normal deviates of standard deviation
-//!    `scatter`. Where that would exceed a distance limit, it moves by the largest share of the way that does not. The
-//!    nodes of a canopy move as one, so that cloth is not stretched and a plate not bent.
+//! 1. Twist: every node is turned about the launch axis in proportion to its depth, by 0 at the top and by `twist` at
+//!    the lowest node.
+//! 2. Shrink: the web is scaled about the axis at its top, so that the twist exceeds no distance limit, and then by
+//!    1 - `slack`.
+//! 3. Scatter: each node in turn is moved normal to the axis, by two normal deviates of standard deviation `scatter`.
+//!    If this would exceed a distance limit, the node moves by the largest share of the way that does not. The nodes of
+//!    a canopy move together, so that cloth is not stretched and a plate not bent.
 //!
-//! The distance limits are those of ropes and canopies. If all are kept before, all are kept after each step. Deviates
-//! come from ChaCha8 (stream 0) by the transform of Box and Muller (1958), elementary functions from libm: a seed means
-//! the same bits on every machine.
+//! The distance limits are those of ropes and canopies. If the packed web keeps them, the disturbed web keeps them too.
+//! Deviates come from ChaCha8 (stream 0) by the transform of Box and Muller (Ann. Math. Stat. 29 (1958) 610-611) and
+//! the elementary functions from libm, so that a seed gives the same bits on every machine.
 
 use std::f64::consts::TAU;
 
@@ -25,21 +25,22 @@ use crate::chance::uniform;
 /// How a packed web differs from its pattern.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Imperfection {
-    /// Standard deviation of each node's place along each of the two directions normal to the launch axis, m.
+    /// Standard deviation of a node's displacement in each of the two directions normal to the launch axis, m.
     pub scatter: f64,
-    /// Turn of the lowest node about the launch axis against the highest, rad.
+    /// Rotation of the lowest node about the launch axis against the highest, rad.
     pub twist: f64,
-    /// Share by which the web is shrunk before it is scattered, so that its ropes have room to move: 0 or more, less than 1.
+    /// Share by which the web is shrunk before it is scattered, so that nodes can move: 0 or more, less than 1.
     pub slack: f64,
-    /// The seed of the scatter.
+    /// Seed of the scatter.
     pub seed: u64,
 }
 
-/// An excess over a distance limit that rounding explains, relative. It does not shrink the web.
+/// Largest relative excess over a distance limit that is ascribed to rounding and does not shrink the web.
 const ROUNDING: f64 = 1e-12;
 
 impl Imperfection {
-    /// Disturbs the nodes of a packed web for which `is_part`, (nodes,), is true.
+    /// Disturbs those nodes of a packed web for which `is_part`, (nodes,), is true. `packed` are positions in the
+    /// launch frame, m, (nodes,).
     pub(super) fn disturb(&self, cut_web: &CutWeb, is_part: &[bool], packed: &mut [DVec3]) {
         let is_within = |limit: &DistanceLimit| limit.ends.iter().all(|&end| is_part[end]);
         let limits = distance_limits::of_ropes(cut_web).chain(distance_limits::of_canopies(cut_web));
@@ -64,6 +65,7 @@ impl Imperfection {
         self.scatter(&groups(cut_web, &parts), &Neighbours::of(&limits, packed.len()), packed);
     }
 
+    /// Scatters each group of nodes in turn, as far as the distance limits to its neighbours allow.
     fn scatter(&self, groups: &[Vec<usize>], neighbours: &Neighbours, packed: &mut [DVec3]) {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         for group in groups {
@@ -83,7 +85,7 @@ impl Imperfection {
     }
 }
 
-/// Nodes that move as one, in the order of the first node of each group.
+/// The groups of nodes that move together, in the order of their smallest node: canopies and single nodes.
 fn groups(cut_web: &CutWeb, parts: &[usize]) -> Vec<Vec<usize>> {
     let mut groups = cut_web.canopy_nodes();
     let mut is_grouped = vec![false; cut_web.nodes.len()];
@@ -95,10 +97,11 @@ fn groups(cut_web: &CutWeb, parts: &[usize]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The neighbours of each node, and their largest distance from it, m.
+/// The neighbours of each node: the other ends of its distance limits.
 struct Neighbours {
-    /// Where the neighbours of each node begin in `all`, and an end, (nodes + 1,).
+    /// Where the neighbours of each node begin in `all`, and the length of `all`, (nodes + 1,).
     first: Vec<usize>,
+    /// Neighbours, node by node, and the limit of each, m.
     all: Vec<(usize, f64)>,
 }
 
@@ -118,21 +121,22 @@ impl Neighbours {
     }
 }
 
-/// The largest share, 0 to 1, of the way that keeps a point within `length` of the origin; 0 where it is not within.
+/// Largest share, 0 to 1, of a displacement `way` that keeps a point at `from` within `length` of the origin, all in m;
+/// 0 if it is farther away.
 fn reach(from: DVec3, way: DVec3, length: f64) -> f64 {
     let (square, along) = (way.length_squared(), from.dot(way));
-    // a hair shorter, for rounding
+    // a little less, against rounding
     let room = length * length * (1.0 - ROUNDING) - from.length_squared();
     if room <= 0.0 {
         return 0.0;
     }
-    // the smaller root of a quadratic, written so that nothing cancels
+    // the positive root of a quadratic, in the form without cancellation
     let root = (along * along + square * room).sqrt();
     let share = if along > 0.0 { room / (along + root) } else { (root - along) / square };
     share.min(1.0)
 }
 
-/// Two independent normal deviates.
+/// Two independent standard normal deviates.
 fn normal_pair(random: &mut ChaCha8Rng) -> DVec2 {
     let radius = (-2.0 * libm::log(1.0 - uniform(random))).sqrt();
     let angle = TAU * uniform(random);
@@ -145,7 +149,7 @@ mod tests {
     use crate::{Cutting, cut, square};
 
     #[test]
-    fn a_share_of_a_way_within_a_sphere() {
+    fn the_share_of_a_way_ends_at_the_sphere_of_the_limit() {
         let from = DVec3::new(3.0, 0.0, 0.0);
         assert_eq!(reach(from, DVec3::X, 10.0), 1.0);
         assert!((reach(from, DVec3::X * 4.0, 5.0) - 0.5).abs() < 1e-11);
@@ -156,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn deviates_are_normal_and_those_of_their_seed() {
+    fn deviates_have_the_moments_of_a_normal_distribution_and_follow_their_seed() {
         let mut random = ChaCha8Rng::seed_from_u64(5);
         let pairs: Vec<DVec2> = (0..20_000).map(|_| normal_pair(&mut random)).collect();
         let mean = |of: &dyn Fn(&DVec2) -> f64| pairs.iter().map(of).sum::<f64>() / pairs.len() as f64;
@@ -172,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn slack_ropes_scatter_as_asked() {
+    fn slack_ropes_scatter_with_the_standard_deviation_asked_for() {
         let net = cut(&square(4.0, 0.5).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
         let half: Vec<DVec3> = net.nodes.iter().map(|&node| 0.5 * node).collect();
         let mut packed = half.clone();
@@ -184,9 +188,9 @@ mod tests {
     }
 
     #[test]
-    fn a_twist_turns_the_lowest_node_and_shrinks_what_it_would_stretch() {
+    fn a_twist_turns_the_lowest_nodes_and_shrinks_the_web_until_no_rope_is_stretched() {
         let net = cut(&square(1.0, 1.0).unwrap(), &Cutting::SegmentLength(1.0)).unwrap();
-        // stood on edge: two knots at the top, two 1 m below
+        // the net stands on edge: two knots at the top, two 1 m below
         let stood: Vec<DVec3> = net.nodes.iter().map(|node| DVec3::new(node.x, 0.0, node.y)).collect();
         let mut packed = stood.clone();
         Imperfection { scatter: 0.0, twist: 1.0, slack: 0.0, seed: 0 }.disturb(&net, &[true; 4], &mut packed);

@@ -1,8 +1,8 @@
-//! Packing: where each node lies when the web is stowed, before it is launched.
+//! Packing: positions of all nodes of the stowed web, before it is launched.
 //!
-//! A [`Pattern`] maps a cut web to positions in the launch frame: +z is the launch axis, z = 0 the muzzle. [`Prescribed`]
-//! computes them as a motion; its module `position_based` says how. Rest lengths are kept: a packed rope may be slack.
-//! [`audit`] finds ropes that are stretched, [`closeness`] ropes that overlap.
+//! A [`Pattern`] maps a cut web to positions in the launch frame: +z is the launch axis, z = 0 the muzzle.
+//! [`Prescribed`] computes positions by simulating a motion; see its module `position_based`. Packing does not change
+//! rest lengths, so a packed rope may be slack. [`audit`] finds stretched ropes, [`closeness`] ropes that overlap.
 
 mod audit;
 mod bag;
@@ -44,25 +44,26 @@ use crate::CutWeb;
 pub enum Pattern {
     /// The flat web shrunk about its middle.
     Scale(Scale),
-    /// The web drawn in to a bag. Its middle hangs below, its tractors stand on top.
+    /// The web drawn in to a bag, with its middle below and its tractors on top.
     Bag(Bag),
     /// The web folded into a container.
     Folded(Folded),
-    /// At positions that are given.
+    /// The web at given positions.
     Given(Given),
 }
 
 impl Pattern {
-    /// Positions of all nodes of the packed web in the launch frame, m.
+    /// Positions of all nodes of the packed web in the launch frame, m, (nodes,).
     ///
     /// # Errors
-    /// [`PackingError`]: a size that is out of its range, or one that would stretch a rope.
+    /// [`PackingError`]: a size is out of its range or would stretch a rope, the web does not fit its container, or
+    /// given positions are missing or not finite.
     pub fn pack(&self, cut_web: &CutWeb) -> Result<Vec<DVec3>, PackingError> {
         self.pack_imperfectly(cut_web, None)
     }
 
-    /// The same with an imperfection. In a bag or a container it disturbs the web alone, and tractors stay in their places;
-    /// a web that is scaled or given is disturbed with its traction ropes and tractors.
+    /// As [`Pattern::pack`], with an imperfection. In a bag or a container the imperfection moves the web and not the
+    /// tractors. A scaled or given web is moved together with its traction ropes and tractors.
     ///
     /// # Errors
     /// As [`Pattern::pack`].
@@ -87,7 +88,7 @@ impl Pattern {
 /// Why a web cannot be packed as asked.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PackingError {
-    /// The factor of a scaled web is out of its range.
+    /// The factor of a scaled web is not more than 0 and at most 1.
     #[error("the factor must be more than 0 and at most 1, not {0}")]
     Factor(f64),
     /// A size is negative or not a number.
@@ -95,12 +96,12 @@ pub enum PackingError {
     Size {
         /// The name of its field.
         argument: &'static str,
-        /// What it is called in the message.
+        /// The name of the size in the message.
         what: &'static str,
         /// Its value, m.
         value: f64,
     },
-    /// The bag is wider than the web.
+    /// The radius is not positive, or the container is wider than the web.
     #[error("the radius of {radius} m must be more than 0 and at most the web's own, {limit:.4} m")]
     Radius {
         /// The radius given, m.
@@ -119,7 +120,7 @@ pub enum PackingError {
     /// A traction rope is too short to reach from its corner to its tractor, whatever the gap.
     #[error(
         "{tractor} would stand {distance:.4} m from its corner, farther than its traction rope of {length} m reaches; \
-         bring the tractors' radius nearer to the packed web's, or make that less deep"
+         bring the tractors' radius nearer to the packed web's, or make the packed web less deep"
     )]
     TractorOutOfReach {
         /// The tractor's label.
@@ -143,25 +144,27 @@ pub enum PackingError {
     #[error(
         "the web does not fit {container}; {}",
         match enough {
-            Some(enough) => format!("packed so, it fits {enough}, the smallest of these proportions"),
-            None => "none of these proportions takes it, however large".to_owned(),
+            Some(enough) => format!(
+                "folded like this, the smallest container of these proportions that holds it is {enough}"
+            ),
+            None => "folded like this, no container of these proportions holds it".to_owned(),
         }
     )]
     Room {
         /// The container given.
         container: Container,
-        /// The smallest container of the same proportions that it fits; none if there is none.
+        /// The smallest container of the same proportions that holds the web; none if even a very large one does not.
         enough: Option<Container>,
     },
-    /// No node is driven into the container.
-    #[error("the web has no outline that could be drawn in")]
+    /// No paths are given and the web has no outline: no node is driven into the container.
+    #[error("the web has no outline to draw in")]
     NothingDriven,
     /// There are more or fewer positions than nodes.
     #[error("{given} positions were given for {nodes} nodes")]
     Count {
-        /// Positions given.
+        /// Number of positions.
         given: usize,
-        /// Nodes of the cut web.
+        /// Number of nodes of the cut web.
         nodes: usize,
     },
     /// Knots have no position.
@@ -170,13 +173,13 @@ pub enum PackingError {
         /// Their labels.
         knots: Vec<String>,
     },
-    /// A position is not a finite number.
+    /// A position is not finite; the label of its node.
     #[error("the position of {0} is not a number")]
     NotFinite(String),
 }
 
 impl PackingError {
-    /// The name of the pattern's field that the error is about, such as "tractor_gap".
+    /// The name of the pattern's field at fault, such as "tractor_gap".
     pub fn argument(&self) -> &'static str {
         match self {
             PackingError::Factor(_) => "factor",
@@ -192,7 +195,7 @@ impl PackingError {
     }
 }
 
-/// The longest stretch of any segment of a packed web, over its rest length.
+/// For tests: the largest relative stretch of a segment of a packed web; negative if all segments are slack.
 #[cfg(test)]
 fn longest_stretch(net: &crate::CutWeb, packed: &[glam::DVec3]) -> f64 {
     net.segments()

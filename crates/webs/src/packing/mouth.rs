@@ -1,30 +1,31 @@
-//! Tractors and traction ropes above a packed web. The tractors stand in the muzzle's plane, the web hangs below them.
+//! Places tractors and traction ropes above a packed web. The tractors stand in the muzzle's plane, and the web hangs
+//! below them.
 
 use glam::DVec3;
 
 use super::PackingError;
 use crate::{CutWeb, Rope, Web};
 
-/// The gap where none is given, as a share of the traction ropes' length: these are then slack.
+/// Default gap as a share of the traction ropes' length; the ropes are then slack.
 const DEFAULT_SHARE: f64 = 0.6;
 
-/// What rounding may add to a size at its limit, relative.
+/// Largest relative excess of a size over its limit that is ascribed to rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// Where the tractors stand; lengths in m.
+/// Places of the tractors; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Mouth {
-    /// Radius of the circle that the tractors stand on, each in the direction of its corner; none: the packed web's radius.
+    /// Radius of the circle of tractors, each in the direction of its corner; none: the packed web's radius.
     pub tractor_radius: Option<f64>,
-    /// How far the packed web lies below the tractors; none: 0.6 of the traction ropes' length, or less where that would
-    /// stretch them. Without traction ropes the tractors are the corners: the gap then sets the web back from the muzzle,
-    /// by 0 where none is given.
+    /// Distance from the top of the packed web up to the tractors; none: 0.6 of the traction ropes' length, or less if
+    /// this would stretch them. Without traction ropes the tractors lie at the corners, and this is the distance from
+    /// the top of the web to the muzzle; none: 0.
     pub tractor_gap: Option<f64>,
 }
 
 impl Mouth {
-    /// Lowers a packed web by the gap and puts tractors and traction ropes above it. Before, its top lies at z = 0; `radius`
-    /// is its radius, m. Nodes of traction ropes lie evenly on the line from corner to tractor.
+    /// Lowers a packed web by the gap and places tractors and traction ropes above it. The web comes with its top at z
+    /// = 0 and this radius, m. Nodes of traction ropes are spaced evenly on the line from corner to tractor.
     pub(super) fn close(&self, cut_web: &CutWeb, packed: &mut [DVec3], radius: f64) -> Result<(), PackingError> {
         let web = &cut_web.web;
         let radius = size("tractor_radius", "tractors' radius", self.tractor_radius.unwrap_or(radius))?;
@@ -45,12 +46,12 @@ impl Mouth {
         Ok(())
     }
 
-    /// How far the top of the packed web lies below the muzzle, m.
+    /// Distance from the top of the packed web up to the muzzle, m.
     fn gap(&self, web: &Web, packed: &[DVec3], radius: f64) -> Result<f64, PackingError> {
         let stated = self.tractor_gap.map(|gap| size("tractor_gap", "tractor gap", gap)).transpose()?;
         let mut default = f64::INFINITY;
         for (tractor, ropes) in web.traction.iter().enumerate() {
-            // the corner without a gap, and the largest gap that the rope bridges
+            // `corner` lies where a gap of 0 leaves it; `limit` is the largest gap that the rope can bridge
             let corner = packed[web.corners[tractor]];
             let place = place(web, tractor, radius);
             let aside = corner.truncate().distance(place.truncate());
@@ -71,13 +72,13 @@ impl Mouth {
     }
 }
 
-/// A tractor's place in the muzzle's plane, in the direction of its corner.
+/// A tractor's place on its circle in the muzzle's plane, m, in the direction of its corner in the flat web.
 fn place(web: &Web, tractor: usize, radius: f64) -> DVec3 {
     let corner = web.knots[web.corners[tractor]].position - web.middle;
     corner.with_z(0.0).normalize_or_zero() * radius
 }
 
-/// A size, m, unless it is negative or not a number. `what` names it in the message.
+/// Returns a size, m, unless it is negative or not finite. `what` names it in the message.
 pub(super) fn size(argument: &'static str, what: &'static str, value: f64) -> Result<f64, PackingError> {
     if value >= 0.0 && value.is_finite() { Ok(value) } else { Err(PackingError::Size { argument, what, value }) }
 }

@@ -1,32 +1,33 @@
-//! Stiff canopies in a packed web. A pattern moves every point for itself, and cloth follows; a plate keeps its shape.
+//! Places stiff canopies (plates) in a packed web. A pattern moves every point separately and would bend a plate.
 //!
-//! In a scaled web and in a bag a plate lies where the pattern puts its middle, parallel to the flat web. Ropes run
-//! straight from plate to plate. (For folds see `position_based/folded_plates.rs`.)
+//! In a scaled web and in a bag, the middle of a plate lies where the pattern puts it, and the plate is parallel to the
+//! flat web. Ropes run straight from plate to plate. (For folds see `position_based/folded_plates.rs`.)
 //!
-//! A rope between two plates of side s whose middles are L apart in the flat web is L - sqrt(3) s long. Where the pattern
-//! brings the middles to q L along the same line, the rope's ends are |q L - sqrt(3) s| apart: no q from 0 to 1 stretches
-//! it if L > 2 sqrt(3) s. In a deep bag the middles stand one above the other, and the ends can be farther apart; the
-//! audit reports that. Plates may lie across one another: there is no contact here.
+//! Two plates with side s, whose middles are L apart in the flat web, are joined by ropes of length L - sqrt(3) s. If
+//! the pattern moves the middles to a distance q L along the same line, the ends of the rope are |q L - sqrt(3) s|
+//! apart: for L > 2 sqrt(3) s no q from 0 to 1 stretches the rope. In a deep bag one middle lies below the other, and
+//! the ends can be farther apart; the audit reports this. Plates may overlap: there is no contact here.
 
 use glam::{DMat3, DVec3};
 
 use crate::CutWeb;
 
-/// How far given corners may be off, as a share of the plate's size: numbers in a file are rounded.
+/// Largest distance of a given corner from the plate's own, as a share of the plate's side: numbers in a file are
+/// rounded.
 const TOLERANCE: f64 = 1e-6;
 
-/// A canopy that keeps its shape.
+/// A stiff canopy, which keeps its shape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StiffPlate {
-    /// Its index in [`crate::Web::canopies`].
+    /// Its canopy, as an index into [`crate::Web::canopies`].
     pub canopy: usize,
-    /// Every node that it carries.
+    /// All nodes fixed to it.
     pub nodes: Vec<usize>,
 }
 
 impl StiffPlate {
-    /// Lays the plates where a pattern has put their middles, parallel to the flat web, and straightens the ropes that are
-    /// tied to them.
+    /// Places the plates parallel to the flat web, with their middles where the pattern has put them, and lays the
+    /// ropes tied to them straight. `packed` are positions in the launch frame, m, (nodes,).
     pub fn lay(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) {
         let mut is_tied = vec![false; cut_web.web.knots.len()];
         for plate in plates {
@@ -45,10 +46,11 @@ impl StiffPlate {
         }
     }
 
-    /// Lays the plate where its middle and its corners have been put. Returns its rotation against the flat web.
+    /// Places the plate at the given positions of its middle and its corners. Returns its rotation against the flat
+    /// web.
     ///
     /// # Errors
-    /// Only a bent plate would fit: the largest distance by which a corner is off, m.
+    /// The largest distance of a given corner from the plate's own, m, if only a bent plate would fit.
     pub fn fit(&self, cut_web: &CutWeb, packed: &mut [DVec3]) -> Result<DMat3, f64> {
         let canopy = &cut_web.web.canopies[self.canopy];
         let rim = canopy.rim.map(|knot| packed[knot]);
@@ -65,7 +67,7 @@ impl StiffPlate {
         Ok(turn)
     }
 
-    /// Lays the plate about its hub with this rotation against the flat web.
+    /// Places the plate's nodes about its hub, with this rotation against the flat web.
     pub(super) fn place(&self, cut_web: &CutWeb, turn: DMat3, packed: &mut [DVec3]) {
         let hub = cut_web.web.canopies[self.canopy].hub;
         let middle = packed[hub];
@@ -89,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn plates_keep_their_shape_and_ropes_are_not_stretched_however_far_the_web_shrinks() {
+    fn in_scaled_webs_and_bags_plates_keep_their_shape_and_no_rope_is_stretched() {
         let (net, plates) = net();
         for pattern in [
             Pattern::Scale(Scale { factor: 0.01 }),
@@ -119,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plate_is_put_where_its_corners_are_and_a_bent_one_is_told() {
+    fn a_plate_takes_the_attitude_of_its_given_corners_and_a_bent_one_is_refused() {
         let (net, plates) = net();
         let plate = StiffPlate { canopy: 4, nodes: net.web.canopies[4].rim.to_vec() };
         let turned = DMat3::from_cols(DVec3::Z, DVec3::X, DVec3::Y);

@@ -1,14 +1,14 @@
-//! The flat web shrunk about its middle, rest lengths kept: every rope hangs slack by the same share of its length.
+//! Scales a flat web about its middle. Rest lengths stay, so that every rope is slack by the same share of its length.
 
 use glam::DVec3;
 
 use super::PackingError;
 use crate::CutWeb;
 
-/// The web shrunk by a factor.
+/// The factor of a scaled web.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
-    /// Distances in the packed web relative to the flat one: more than 0, at most 1.
+    /// Distances in the packed web over distances in the flat web: more than 0, at most 1.
     pub factor: f64,
 }
 
@@ -39,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn factors_that_stretch_or_vanish_are_refused() {
+    fn factors_not_above_0_or_above_1_are_refused() {
         let net = cut(&square(2.0, 0.5).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
         for factor in [0.0, -0.5, 1.1, f64::NAN] {
             assert!(matches!(Scale { factor }.pack(&net), Err(PackingError::Factor(_))));

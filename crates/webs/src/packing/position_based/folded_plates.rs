@@ -1,9 +1,8 @@
-//! Plates in a folded web: canopies that keep their shape are laid into its layers, and ropes that this would stretch pull
-//! the web in.
+//! Places plates (stiff canopies) in a folded web, and draws the web in about them so that no rope is stretched.
 //!
-//! A fold moves a plate that lies within one leg as it is. Where a bend goes through a plate, the plate takes the place
-//! and the attitude that fit its bent corners best. Its corners then lie beside the places that the fold has given them,
-//! and ropes may be too short. The web is therefore drawn in about its plates; tractors stay.
+//! A plate within one leg of a fold moves with the leg. A plate across a bend takes the place and the attitude that fit
+//! its bent corners best. Its corners are then not where the fold has put them, and ropes tied to them may be
+//! stretched. The nodes around the plate are therefore drawn towards it; tractors do not move.
 
 use glam::{DMat3, DVec3};
 
@@ -13,7 +12,8 @@ use crate::packing::StiffPlate;
 use crate::packing::distance_limits::{self, DistanceLimit};
 
 impl StiffPlate {
-    /// Lays plates into a folded web. Returns the rotation of each against the flat web, (plates,).
+    /// Places plates in a folded web with positions `packed`, m, (nodes,). Returns the rotation of each plate against
+    /// the flat web, (plates,).
     pub fn lay_in_folds(plates: &[StiffPlate], cut_web: &CutWeb, packed: &mut [DVec3]) -> Vec<DMat3> {
         if plates.is_empty() {
             return Vec::new();
@@ -24,15 +24,15 @@ impl StiffPlate {
             *turn = plate.fit_corners(cut_web, *turn, packed);
             plate.place(cut_web, *turn, packed);
         }
-        // ropes follow their ends
-        let moved = |knot: usize, packed: &[DVec3]| packed[knot] - folded[knot];
+        // the nodes inside a rope move with its knots
+        let displacement = |knot: usize, packed: &[DVec3]| packed[knot] - folded[knot];
         for (rope, cut) in cut_web.web.ropes.iter().zip(&cut_web.ropes) {
-            let (a, b) = (moved(rope.a, packed), moved(rope.b, packed));
+            let (a, b) = (displacement(rope.a, packed), displacement(rope.b, packed));
             for (node, place) in cut.interior().zip(1..) {
                 packed[node] += a.lerp(b, f64::from(place) / cut.segments as f64);
             }
         }
-        // nothing has a mass here: every node weighs the same, and tractors stay unless they ride on a plate
+        // masses are not known here: every node has the same weight, but tractors outside plates do not move
         let mut inverse_mass = vec![1.0; packed.len()];
         for &knot in &cut_web.web.tractors {
             if !plates.iter().any(|plate| plate.nodes.contains(&knot)) {
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn in_every_fold_plates_keep_their_shape_and_no_rope_is_stretched() {
+    fn with_every_folding_plates_keep_their_shape_and_no_rope_is_stretched() {
         let (net, plates) = net();
         let rooms = [
             Container::Cylinder { radius: 0.6, height: 1.0 },
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plate_that_lies_in_one_leg_goes_with_it() {
+    fn a_plate_within_one_leg_moves_with_the_leg() {
         let (net, plates) = net();
         let turned = DMat3::from_cols(DVec3::Z, DVec3::NEG_Y, DVec3::X);
         let mut packed: Vec<DVec3> = net.nodes.iter().map(|&node| turned * node + DVec3::ONE).collect();

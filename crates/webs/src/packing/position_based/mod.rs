@@ -1,7 +1,7 @@
-//! Position-based dynamics: packings that are computed as a motion, not as a map of the flat web.
+//! Position-based dynamics: computes a packing as a motion of the web into its container.
 //!
-//! This module is the only place of the crate that knows mass, gravity and time. It finds where a web lies once it has
-//! come to rest in its container. A run takes positions from it and nothing else: no velocity, force or energy.
+//! This is the only module of the crate with mass, gravity and time. It finds the positions at which a web comes to
+//! rest in its container. A run takes only these positions from it, no velocity, force or energy.
 //!
 //! # What is solved
 //!
@@ -10,7 +10,7 @@
 //!
 //! ```text
 //! predict    v = exp(-c dt) (v - g dt z)       y = x + dt v
-//! project    y -> the constraints, in ten sweeps, each constraint for itself (Gauss-Seidel)
+//! project    y onto the constraints, one after the other, in ten sweeps (Gauss-Seidel)
 //! update     v = (y - x) / dt                  x = y
 //! ```
 //!
@@ -25,18 +25,18 @@
 //! ```
 //!
 //! A distance limit that is exceeded moves its two nodes along the line between them, in inverse proportion to their
-//! masses; a driven node is not moved. Once the kinetic energy has fallen to a small share of its largest value, sweeps
-//! go on without gravity until no rope is longer than its rest length.
+//! masses; a driven node is not moved. The motion ends when the kinetic energy is a small share of its largest value.
+//! Further sweeps without gravity then shorten ropes until none is longer than its rest length.
 //!
-//! [`StiffPlate::lay_in_folds`](super::StiffPlate::lay_in_folds) uses the same projection without any motion: plates in
-//! a folded web pull the ropes around them after them.
+//! [`StiffPlate::lay_in_folds`](super::StiffPlate::lay_in_folds) uses the same projection without a motion: it draws
+//! the nodes around the plates of a folded web towards them.
 //!
-//! # What it is not
+//! # Limits
 //!
-//! It is not the model that a run integrates, which is the crate `dynamics`. Ropes are inextensible and have no bending
-//! stiffness. They have no thickness, pass through one another, and slide on wall and floor without friction. How fast a
-//! web settles depends on the step and on the number of sweeps; where it rests does so little: a rope whose ends are
-//! brought together hangs as the catenary does, to 0.5 % in sag.
+//! A run integrates another model, in the crate `dynamics`. Here ropes are inextensible, without bending stiffness and
+//! without thickness. They pass through one another and slide on wall and floor without friction. The time in which a
+//! web settles depends on the step and on the number of sweeps. Its rest position depends on them only a little: the
+//! sag of a rope between two points is that of the catenary to 0.5 %.
 //!
 //! # Sources
 //!

@@ -1,23 +1,24 @@
-//! Plates whose corners have moved: the place and the attitude that fit a plate's corners best.
+//! Fits a plate to its displaced corners: finds its place and its attitude by least squares.
 //!
-//! The attitude is the orthogonal factor of M = sum x q* over the corners. Here q is a corner in the flat plate and x the
-//! same corner as it lies, both from their means. R = M (M* M)^(-1/2) is the rotation that is nearest in least squares.
+//! The attitude is the orthogonal factor R = M (M* M)^(-1/2) of M = sum x q* over the corners. Here q is a corner in
+//! the flat plate and x the displaced corner, both relative to their means. (Müller et al. 2005, see the
+//! [module](super).)
 
 use glam::{DMat2, DMat3, DVec2, DVec3, dvec2};
 
 use crate::CutWeb;
 use crate::packing::StiffPlate;
 
-/// Corners that lie nearer to one line, relative, do not determine the rotation about it.
+/// Corners this close to one line, relative, do not determine the rotation about the line.
 const FLAT: f64 = 1e-9;
 
-/// How much the rotation before weighs then, relative.
-const LEAN: f64 = 1e-6;
+/// Relative weight of the previous rotation in this case.
+const PREVIOUS_WEIGHT: f64 = 1e-6;
 
 impl StiffPlate {
-    /// Moves the hub to the mean of the corners. Returns the rotation against the flat web that fits the corners best;
-    /// where a plate folded in half leaves it open, the one nearest to `before`.
-    pub(super) fn fit_corners(&self, cut_web: &CutWeb, before: DMat3, packed: &mut [DVec3]) -> DMat3 {
+    /// Moves the hub to the mean of the corners. Returns the rotation against the flat web that fits the corners best.
+    /// If the corners lie on one line, as in a plate folded in half, the `previous` rotation decides.
+    pub(super) fn fit_corners(&self, cut_web: &CutWeb, previous: DMat3, packed: &mut [DVec3]) -> DMat3 {
         let canopy = &cut_web.web.canopies[self.canopy];
         let middle = canopy.rim.iter().map(|&knot| packed[knot]).sum::<DVec3>() / canopy.rim.len() as f64;
         let mut columns = [DVec3::ZERO; 2];
@@ -28,15 +29,16 @@ impl StiffPlate {
         }
         packed[canopy.hub] = middle;
         let size = columns[0].length() + columns[1].length();
-        let leaning = [columns[0] + LEAN * size * before.x_axis, columns[1] + LEAN * size * before.y_axis];
-        nearest_rotation(columns).or_else(|| nearest_rotation(leaning)).unwrap_or(before)
+        let weight = PREVIOUS_WEIGHT * size;
+        let weighted = [columns[0] + weight * previous.x_axis, columns[1] + weight * previous.y_axis];
+        nearest_rotation(columns).or_else(|| nearest_rotation(weighted)).unwrap_or(previous)
     }
 }
 
-/// The rotation whose first two columns are nearest to these two; none where these lie along one line.
+/// The rotation with its first two columns nearest to these two vectors; none if these lie along one line.
 fn nearest_rotation([a, b]: [DVec3; 2]) -> Option<DMat3> {
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
-    // (M* M)^(-1/2) of a matrix of two rows in closed form
+    // (M* M)^(-1/2) of a 2 x 2 matrix in closed form
     let root = (aa * bb - ab * ab).max(0.0).sqrt();
     if root <= FLAT * (aa + bb) {
         return None;
@@ -56,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_rotation_has_the_least_squares() {
+    fn the_nearest_rotation_minimises_the_sum_of_squares() {
         let m = [DVec3::new(1.0, 0.3, -0.2), DVec3::new(0.1, 0.7, 0.5)];
         let found = nearest_rotation(m).unwrap();
         let distance = |r: DMat3| r.x_axis.distance_squared(m[0]) + r.y_axis.distance_squared(m[1]);

@@ -1,8 +1,8 @@
-//! Packing by prescribed motion, as the founding paper does it: some nodes of the flat web follow given paths, the other
-//! nodes follow these under weight and damping, until the web rests in its container.
+//! Packs a web by a prescribed motion, as in the founding paper: some nodes of the flat web move along given paths, the
+//! others follow under weight and damping until the web rests in its container.
 //!
-//! The container is an upright tube about the launch axis with its mouth in the plane of the flat web. Its wall closes in
-//! from the web's own radius while nodes are driven. What hangs into the tube falls on its floor.
+//! The container is an upright tube about the launch axis with its mouth in the plane of the flat web. While nodes are
+//! driven, the radius of its wall shrinks from that of the web to that of the container.
 
 use std::f64::consts::PI;
 
@@ -14,15 +14,16 @@ use crate::CutWeb;
 use crate::packing::mouth::size;
 use crate::packing::{Imperfection, PackingError, StiffPlate};
 
-/// Straight parts of the path that a knot of the outline is drawn in along.
+/// Number of straight parts in the path of a knot of the outline.
 const PARTS: u32 = 32;
 
 impl Prescribed {
-    /// Positions of all nodes of the packed web in the launch frame, m, (nodes,); the rotation of each of its plates
-    /// against the flat web, (plates,); and how the web came to rest.
+    /// Positions of all nodes of the packed web in the launch frame, m, (nodes,); rotations of its plates against the
+    /// flat web, (plates,); and how the web came to rest.
     ///
     /// # Errors
-    /// [`PackingError`]: a size out of its range, no node to drive, or a traction rope that does not reach.
+    /// [`PackingError`]: a size is out of its range, there is no node to drive, or a traction rope does not reach its
+    /// tractor.
     pub fn pack(
         &self,
         cut_web: &CutWeb,
@@ -59,7 +60,8 @@ impl Prescribed {
         Ok((position, turns, settled))
     }
 
-    /// Paths of the outline's knots straight to the ring. Their speed rises and falls as a sine.
+    /// Straight paths of the outline's knots to a ring of the container's radius. The speed is half a sine wave in
+    /// time.
     fn drawn_in(&self, cut_web: &CutWeb) -> Result<Vec<DrivenNode>, PackingError> {
         let web = &cut_web.web;
         if web.outline.is_empty() {
@@ -105,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn every_web_comes_to_rest_in_its_container_and_nothing_is_stretched() {
+    fn every_web_comes_to_rest_in_its_container_and_no_rope_is_stretched() {
         let webs = [
             ("traditional", traditional(2.5, 6), 0.1),
             ("space", space(2.5, 0.14), 0.2),
@@ -126,14 +128,14 @@ mod tests {
                     assert!(place.truncate().length() < 0.4 + 1e-3, "{case}: {node}");
                     assert!(depth.is_none_or(|depth| place.z > ring - depth - 1e-3), "{case}: {node}");
                 }
-                // bits do not depend on anything else
+                // a second packing has the same bits
                 assert_eq!(packing.pack(&net, None).unwrap().0, packed, "{case}");
             }
         }
     }
 
     #[test]
-    fn plates_keep_their_shape_on_the_way() {
+    fn plates_keep_their_shape_in_a_prescribed_packing() {
         let net = cut(&space(2.5, 0.14).unwrap(), &Cutting::SegmentLength(0.1)).unwrap();
         let plates = net.web.canopies.iter().enumerate();
         let plates: Vec<StiffPlate> = plates
@@ -162,7 +164,7 @@ mod tests {
             |node: usize, x: f64| DrivenNode { node, path: vec![(0.0, DVec3::ZERO), (1.0, DVec3::new(x, 0.0, 0.0))] };
         let mut packing = prescribed(&net, 1.0, None);
         packing.paths = vec![to(0, 0.5), to(1, -0.5)];
-        // nodes inside bear a segment, the ends half of one
+        // the mass of a segment at every node inside, of half a segment at the ends
         packing.mass[..2].fill(0.5);
         packing.rest = 1e-8;
         let (packed, ..) = packing.pack(&net, None).unwrap();
@@ -176,27 +178,27 @@ mod tests {
         assert!((found / sag - 1.0).abs() < 0.005, "{found} for {sag} m");
     }
 
-    /// The middle of a rope is inside a piece, unless it is led.
+    /// The driven node would lie inside a piece if it were not driven.
     #[test]
-    fn a_node_inside_a_rope_goes_where_it_is_led() {
+    fn a_driven_node_inside_a_rope_follows_its_path() {
         let net = cut(&square(2.0, 0.5).unwrap(), &Cutting::SegmentLength(0.02)).unwrap();
         let mut packing = prescribed(&net, 1.0, None);
         let pieces = RopePieces::of(&net, std::iter::empty());
         let ends: BTreeSet<usize> = pieces.distance_limits().flat_map(|limit| limit.ends).collect();
         let inside = net.nodes_of(3)[1..25].iter().copied().find(|node| !ends.contains(node));
-        let led = inside.expect("pieces have nodes inside");
+        let driven = inside.expect("pieces have nodes inside");
         let by = DVec3::new(0.0, 0.0, 0.3);
-        packing.paths = vec![DrivenNode { node: led, path: vec![(0.0, DVec3::ZERO), (0.5, by)] }];
+        packing.paths = vec![DrivenNode { node: driven, path: vec![(0.0, DVec3::ZERO), (0.5, by)] }];
         let mut solver = Solver::new(&packing, &net, packing.paths.clone());
         solver.run();
-        assert!(solver.position[led].distance(net.nodes[led] - net.web.middle + by) < 1e-12);
+        assert!(solver.position[driven].distance(net.nodes[driven] - net.web.middle + by) < 1e-12);
         assert!(longest_stretch(&net, &solver.position) < 1e-10);
         // and the web hangs from it
         assert!(solver.position.iter().all(|place| place.z <= by.z));
     }
 
     #[test]
-    fn what_cannot_be_is_refused() {
+    fn sizes_out_of_range_and_webs_without_an_outline_are_refused() {
         let net = cut(&square(2.0, 0.5).unwrap(), &Cutting::SegmentLength(0.25)).unwrap();
         for radius in [0.0, -1.0, 3.0, f64::NAN] {
             let refused = prescribed(&net, radius, None).pack(&net, None);

@@ -1,7 +1,7 @@
-//! Projection: moves nodes until no distance limit is exceeded, and plates after their corners.
+//! Projection: moves nodes until no distance limit is exceeded, and fits plates to their corners.
 //!
-//! One sweep visits every limit in turn. A limit that is exceeded moves its two nodes towards each other, and each plate
-//! then takes the place and the attitude that fit its corners best.
+//! One sweep visits every limit in turn and moves the two nodes towards each other where it is exceeded. Then every
+//! plate takes the place and the attitude that fit its corners best.
 
 use glam::{DMat3, DVec3};
 
@@ -9,30 +9,31 @@ use crate::CutWeb;
 use crate::packing::StiffPlate;
 use crate::packing::distance_limits::DistanceLimit;
 
-/// An excess that rounding explains, relative to the limit.
+/// Largest excess over a limit that is ascribed to rounding, relative to the limit.
 const ROUNDING: f64 = 1e-12;
 
-/// How much shorter than its limit a distance becomes in [`Projection::draw_in`], relative: without that, sweeps come
-/// near an end and never reach it.
+/// Relative amount by which [`Projection::draw_in`] makes a distance shorter than its limit. Without it, the excess
+/// over the limits shrinks from sweep to sweep but never vanishes.
 const AIM: f64 = 1e-3;
 
-/// Sweeps at most.
+/// Largest number of sweeps of [`Projection::draw_in`].
 const MOST_SWEEPS: usize = 20_000;
 
-/// What a projection keeps.
+/// The constraints of a projection.
 pub(super) struct Projection<'a> {
     pub cut_web: &'a CutWeb,
-    /// How far nodes may be apart.
+    /// Largest distances between nodes.
     pub limits: &'a [DistanceLimit],
-    /// The canopies that keep their shape.
+    /// Stiff canopies.
     pub plates: &'a [StiffPlate],
-    /// 1/kg, or any other weight, (nodes,): a node moves in proportion to it, and stays where it is 0.
+    /// Inverse mass of each node, 1/kg or in any other unit, (nodes,). A node moves in proportion to it; 0: not at all.
     pub inverse_mass: &'a [f64],
 }
 
 impl Projection<'_> {
-    /// One sweep over all limits, in reverse order if `backwards`. A distance that exceeds its limit becomes shorter than
-    /// this by the share `aim`. Returns whether there was one.
+    /// One sweep over all limits, in reverse order if `backwards`. A distance that exceeds its limit is set to the
+    /// limit times (1 - `aim`). `turns` are the rotations of the plates, (plates,), `packed` the positions, m,
+    /// (nodes,). Returns whether any limit was exceeded.
     pub fn sweep(&self, backwards: bool, aim: f64, turns: &mut [DMat3], packed: &mut [DVec3]) -> bool {
         let mut was_exceeded = false;
         for number in 0..self.limits.len() {
@@ -55,7 +56,7 @@ impl Projection<'_> {
         was_exceeded
     }
 
-    /// Fits every plate to its corners; a hub that stays keeps its place.
+    /// Fits every plate to its corners. A hub with an inverse mass of 0 keeps its place.
     pub fn place_plates(&self, turns: &mut [DMat3], packed: &mut [DVec3]) {
         for (plate, turn) in self.plates.iter().zip(turns) {
             let hub = self.cut_web.web.canopies[plate.canopy].hub;
@@ -68,8 +69,8 @@ impl Projection<'_> {
         }
     }
 
-    /// Sweeps until no limit is exceeded. A distance that still exceeds its limit after very many sweeps stays as it is:
-    /// the audit reports it.
+    /// Sweeps until no limit is exceeded, or [`MOST_SWEEPS`] times; the audit reports ropes that are then still
+    /// stretched.
     pub fn draw_in(&self, turns: &mut [DMat3], packed: &mut [DVec3]) {
         for sweep in 0..MOST_SWEEPS {
             if !self.sweep(sweep % 2 == 1, AIM, turns, packed) {

@@ -1,7 +1,7 @@
-//! Ropes in straight pieces: the coarse ropes that a prescribed packing moves, however finely the web is cut.
+//! Ropes in straight pieces: a prescribed packing moves coarse ropes, however finely the web is cut.
 //!
-//! A piece is about a 25th of the web's radius long. Nodes inside a piece have no part in the motion: their mass is at the
-//! ends of the piece, and at the end they are laid evenly between these.
+//! A piece is at most about a 25th of the web's radius long. Nodes inside a piece do not take part in the motion: their
+//! mass is lumped at the ends of the piece, and after the motion they are spaced evenly between these ends.
 
 use std::collections::BTreeSet;
 
@@ -11,18 +11,18 @@ use crate::packing::StiffPlate;
 use crate::packing::distance_limits::DistanceLimit;
 use crate::{CutRope, CutWeb};
 
-/// Length of a piece, as a share of the web's radius.
+/// Length of a piece as a share of the web's radius.
 const LENGTH: f64 = 1.0 / 25.0;
 
-/// Where the pieces of each rope end.
+/// The pieces of all ropes.
 pub(super) struct RopePieces<'a> {
     cut_web: &'a CutWeb,
-    /// Places along each rope, counted in its nodes from 0, (ropes,).
+    /// Ends of the pieces of each rope, as places of nodes along the rope from 0, (ropes,).
     ends: Vec<Vec<usize>>,
 }
 
 impl<'a> RopePieces<'a> {
-    /// Pieces of much the same length. A piece ends wherever a node is `driven`.
+    /// Divides every rope into pieces of about equal length, and at each of the `driven` nodes.
     pub fn of(cut_web: &'a CutWeb, driven: impl Iterator<Item = usize>) -> Self {
         let longest = LENGTH * cut_web.web.radius();
         let mut is_driven = vec![false; cut_web.nodes.len()];
@@ -43,7 +43,7 @@ impl<'a> RopePieces<'a> {
         Self { cut_web, ends: cut_web.ropes.iter().map(of_rope).collect() }
     }
 
-    /// The limit of every piece: its rest length.
+    /// One limit for every piece: its rest length.
     pub fn distance_limits(&self) -> impl Iterator<Item = DistanceLimit> {
         self.ends.iter().enumerate().flat_map(|(rope, ends)| {
             let nodes = self.cut_web.nodes_of(rope);
@@ -56,8 +56,9 @@ impl<'a> RopePieces<'a> {
         })
     }
 
-    /// Mass at the ends of pieces, kg, (nodes,): half of what lies inside a piece goes to each of its ends, and that of a
-    /// plate to its seven knots alike. `mass` is that of each node, kg, (nodes,).
+    /// Lumped mass of each node, kg, (nodes,), from the `mass` of each node, kg, (nodes,). Half of the mass inside a
+    /// piece goes to each end; the mass of a plate is shared equally by its seven knots. Nodes inside keep their own
+    /// mass too, but do not move.
     pub fn lumped_mass(&self, mass: &[f64], plates: &[StiffPlate]) -> Vec<f64> {
         let mut lumped = mass.to_vec();
         for (rope, ends) in self.ends.iter().enumerate() {
@@ -79,7 +80,7 @@ impl<'a> RopePieces<'a> {
         lumped
     }
 
-    /// Lays the nodes inside pieces evenly between their ends.
+    /// Spaces the nodes inside pieces evenly between the ends of their pieces.
     pub fn fill_in(&self, position: &mut [DVec3]) {
         for (rope, ends) in self.ends.iter().enumerate() {
             let nodes = self.cut_web.nodes_of(rope);
@@ -104,21 +105,21 @@ mod tests {
     }
 
     #[test]
-    fn pieces_are_as_long_as_their_ropes_and_none_is_longer_than_a_25th_of_the_radius() {
+    fn pieces_make_up_their_ropes_and_are_about_a_25th_of_the_radius_long() {
         let net = net();
         let driven = net.ropes[7].first_interior;
         let pieces = RopePieces::of(&net, std::iter::once(driven));
         let whole: f64 = pieces.distance_limits().map(|limit| limit.length).sum();
         let rope: f64 = net.web.rope_length_by_class().values().sum();
         assert!((whole - rope).abs() < 1e-9);
-        // a piece has a whole number of segments: up to one more than its share of the rope
+        // a piece has a whole number of segments, so it may be up to one segment longer
         assert!(pieces.distance_limits().all(|limit| limit.length < 2.5 / 25.0 + 0.021));
         assert!(pieces.distance_limits().count() * 3 < net.segment_count());
         assert_eq!(pieces.distance_limits().filter(|limit| limit.ends.contains(&driven)).count(), 2);
     }
 
     #[test]
-    fn the_ends_of_pieces_bear_the_whole_mass() {
+    fn the_ends_of_pieces_and_the_plates_have_the_whole_mass() {
         let net = net();
         let pieces = RopePieces::of(&net, std::iter::empty());
         let mass: Vec<f64> = (0..net.nodes.len()).map(|node| 1.0 + (node % 5) as f64).collect();
@@ -128,14 +129,14 @@ mod tests {
         // hubs and bare corners of canopies have no rope
         let mut ends: BTreeSet<usize> = net.canopy_nodes().into_iter().flatten().collect();
         ends.extend(pieces.distance_limits().flat_map(|limit| limit.ends));
-        let borne: f64 = ends.into_iter().map(|node| lumped[node]).sum();
+        let lumped_at_ends: f64 = ends.into_iter().map(|node| lumped[node]).sum();
         let whole: f64 = mass.iter().sum();
-        assert!((borne / whole - 1.0).abs() < 1e-12, "{borne} of {whole} kg");
+        assert!((lumped_at_ends / whole - 1.0).abs() < 1e-12, "{lumped_at_ends} of {whole} kg");
         assert!(plate.nodes.iter().all(|&node| lumped[node] == lumped[hub]));
     }
 
     #[test]
-    fn nodes_inside_pieces_are_laid_on_a_line() {
+    fn nodes_inside_pieces_are_spaced_evenly_between_their_ends() {
         let net = net();
         let pieces = RopePieces::of(&net, std::iter::empty());
         let mut position: Vec<DVec3> = net.nodes.iter().map(|node| 0.5 * *node).collect();

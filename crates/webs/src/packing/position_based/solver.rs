@@ -9,10 +9,10 @@ use super::walls::Tube;
 use crate::CutWeb;
 use crate::packing::distance_limits::{self, DistanceLimit};
 
-/// A step, s.
+/// Time step, s.
 const STEP: f64 = 2e-3;
 
-/// Sweeps a step.
+/// Number of sweeps in a step.
 const SWEEPS: usize = 10;
 
 /// A web on its way into the container.
@@ -20,26 +20,27 @@ pub(super) struct Solver<'a> {
     packing: &'a Prescribed,
     cut_web: &'a CutWeb,
     paths: Vec<DrivenNode>,
-    /// When the last path ends, s.
+    /// Time at which the last path ends, s.
     end: f64,
     tube: Tube,
     pieces: RopePieces<'a>,
-    /// Those of rope pieces and canopies.
+    /// Distance limits of rope pieces and canopies.
     limits: Vec<DistanceLimit>,
-    /// 1/kg, (nodes,); 0 where a node is driven, lies inside a piece or a plate, or belongs to a traction rope.
+    /// Inverse mass of each node, 1/kg, (nodes,); 0 where a node is driven, lies inside a piece or a plate, or belongs
+    /// to a traction rope.
     inverse_mass: Vec<f64>,
-    /// The nodes that move by themselves.
+    /// Nodes with an inverse mass above 0.
     free: Vec<usize>,
-    /// In the launch frame with the flat web at z = 0, m, (nodes,).
+    /// Positions in the launch frame, with the flat web at z = 0, m, (nodes,).
     pub position: Vec<DVec3>,
-    /// m/s, (nodes,).
+    /// Velocities, m/s, (nodes,).
     velocity: Vec<DVec3>,
     /// Rotation of each plate against the flat web, (plates,).
     pub turns: Vec<DMat3>,
 }
 
 impl<'a> Solver<'a> {
-    /// The flat web at rest.
+    /// The flat web at rest, before the motion.
     pub fn new(packing: &'a Prescribed, cut_web: &'a CutWeb, paths: Vec<DrivenNode>) -> Self {
         let pieces = RopePieces::of(cut_web, paths.iter().map(|driven| driven.node));
         let is_web = cut_web.is_web();
@@ -77,7 +78,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// Takes steps until the web is at rest, then draws in what sweeps have left of stretch.
+    /// Takes steps until the web is at rest, then draws in ropes that are still stretched.
     pub fn run(&mut self) -> Settled {
         let mut settled = Settled { time: 0.0, share: 1.0 };
         let (mut step, mut largest) = (0u32, 0.0f64);
@@ -95,7 +96,7 @@ impl<'a> Solver<'a> {
         settled
     }
 
-    /// Whether the motion ends: all paths have ended, and the web is at rest or out of time.
+    /// Whether the motion ends: all paths have ended, and the web is at rest or its longest time is over.
     fn is_done(&self, settled: &Settled) -> bool {
         let Prescribed { rest, longest, .. } = *self.packing;
         settled.time >= self.end && (settled.share <= rest || settled.time >= longest)
@@ -106,9 +107,9 @@ impl<'a> Solver<'a> {
         let Prescribed { gravity, damping, .. } = *self.packing;
         let before = self.position.clone();
         // predict
-        let keeps = libm::exp(-damping * STEP);
+        let damped = libm::exp(-damping * STEP);
         for &node in &self.free {
-            let way = keeps * (self.velocity[node] - gravity * STEP * DVec3::Z) * STEP;
+            let way = damped * (self.velocity[node] - gravity * STEP * DVec3::Z) * STEP;
             self.position[node] += way;
         }
         for driven in &self.paths {
@@ -132,7 +133,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// J; only its share of the largest counts.
+    /// Twice the kinetic energy, J; only ratios of it are used.
     fn twice_the_kinetic_energy(&self) -> f64 {
         let of_node = |&node: &usize| self.velocity[node].length_squared() / self.inverse_mass[node];
         self.free.iter().map(of_node).sum()
