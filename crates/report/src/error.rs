@@ -14,14 +14,14 @@ pub enum ReportError {
     Read {
         /// The file.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: io::Error,
     },
-    /// A file of the result folder is not what it should be.
+    /// A file of the result folder is malformed.
     #[error(transparent)]
     Result(ResultError),
     /// The landmarks name a node that the fields do not have.
-    #[error("{} names node {node}, but the fields hold {nodes} nodes: they are of another run", path.display())]
+    #[error("{} names node {node}, but the fields hold {nodes} nodes: they come from another run", path.display())]
     UnknownNode {
         /// The file of the landmarks.
         path: PathBuf,
@@ -35,15 +35,15 @@ pub enum ReportError {
     Write {
         /// The file.
         path: PathBuf,
-        /// The reason given.
+        /// The cause.
         source: io::Error,
     },
-    /// The result does not hold what pictures are drawn from.
-    #[error("no pictures of {}: {missing}; run the scenario again to have it", folder.display())]
+    /// The result folder lacks a file that pictures need, or the file holds no frame.
+    #[error("cannot draw pictures of {}: {missing}; run the scenario again to write it", folder.display())]
     NoFields {
         /// The result folder.
         folder: PathBuf,
-        /// What is not there.
+        /// What is missing, as a clause for the message.
         missing: &'static str,
     },
 }

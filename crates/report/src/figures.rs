@@ -1,6 +1,6 @@
-//! The curves of a report: which columns of the history go into which chart.
+//! The charts of a report: each is a set of columns of the history.
 //!
-//! A figure is data without colours; `page.js` draws it in those of the reader's theme.
+//! A figure holds places in a palette, not colours; `charts.js` takes the colours from the reader's theme.
 
 use netcast_results::{Column, Dimension, OPEN_SHARE, columns};
 use serde_json::{Value, json};
@@ -8,10 +8,10 @@ use serde_json::{Value, json};
 use crate::format::{Scale, percent};
 use crate::results::Results;
 
-/// Rows beyond which a curve is thinned; twice what a screen resolves.
+/// Most points of a curve; a longer one is thinned. A screen resolves half as many.
 const MOST_POINTS: usize = 4000;
 
-/// A chart: curves over time with a title, a line on how to read it, and a unit.
+/// A chart: curves over time with a title, a note on how to read it, and a unit.
 pub(crate) struct Figure {
     pub id: &'static str,
     pub title: &'static str,
@@ -19,15 +19,15 @@ pub(crate) struct Figure {
     pub quantity: &'static str,
     pub unit: String,
     pub curves: Vec<Curve>,
-    /// Spell of time to shade, s.
+    /// Start and end of the interval to shade, s.
     pub shaded: Option<(f64, f64)>,
 }
 
 pub(crate) struct Curve {
     pub name: String,
-    /// Time, s, and value.
+    /// Time, s, and value in the figure's unit; `None` is a gap.
     pub points: Vec<(f64, Option<f64>)>,
-    /// Place in the palette; `None` is the colour of the grid.
+    /// Place in the palette; `None` for a reference line, drawn in the soft colour.
     pub colour: Option<usize>,
     pub style: Style,
 }
@@ -40,7 +40,7 @@ pub(crate) enum Style {
     Companion,
 }
 
-/// The figures that a result has anything for, in the order of the page.
+/// The figures with at least one curve, in the order of the page.
 pub(crate) fn figures(results: &Results) -> Vec<Figure> {
     let before: [MakeFigure; 9] =
         [areas, coverage, speeds, travels, class_tensions, point_tensions, canopy_tensions, thread_tensions, postures];
@@ -57,7 +57,7 @@ fn areas(results: &Results) -> Option<Figure> {
     let time = times(results)?;
     let named = [
         ("area_m2", "outline area", Style::Line),
-        // lies on the outline area wherever the web faces along the axis
+        // dashed, because it covers the outline area wherever the web faces along the axis
         ("vector_area_m2", "vector area", Style::Dashed),
         ("shadow_area_m2", "silhouette", Style::Line),
         ("tractor_area_m2", "tractors' polygon", Style::Line),
@@ -81,7 +81,7 @@ fn areas(results: &Results) -> Option<Figure> {
     Some(Figure {
         id: "areas",
         title: "Area",
-        note: "Along the launch axis; the vector area as it faces; folds do not cancel in the silhouette. Shaded: 80 % open.",
+        note: "Seen along the launch axis; vector area: along its own normal; silhouette: folds count once. Shaded: 80 % open.",
         quantity: "area",
         unit: "m²".into(),
         curves,
@@ -115,7 +115,7 @@ fn postures(results: &Results) -> Option<Figure> {
     })
 }
 
-/// The figure of a column that has one to itself.
+/// The figure of a column that is drawn alone; none where the column has no figure of its own.
 fn of_column(results: &Results, column: &Column) -> Option<Figure> {
     let (title, name) = column.figure?;
     let (factor, unit) = match (column.dimension, column.dimension.unit()) {
@@ -173,20 +173,20 @@ fn travels(results: &Results) -> Option<Figure> {
 }
 
 fn class_tensions(results: &Results) -> Option<Figure> {
-    let note = "Per rope. Solid: the hardest pulled rope of the class; dotted: their mean.";
+    let note = "Per rope. Solid: the highest of the class; dotted: the mean of the class.";
     let chosen = |class: &str| class != OF_ALL_ROPES && class != CANOPY && is_rope(results, class);
     tensions(results, "class-tensions", "Tension by link class", note, chosen)
 }
 
-/// Apart from the ropes: cloth is stiffer, and its members' tensions would hide theirs.
+/// Tensions in canopies. They are apart from the ropes: cloth is stiffer and would set the scale of both.
 fn canopy_tensions(results: &Results) -> Option<Figure> {
-    let note = "Per member that stands for a canopy's cloth. Solid: the hardest pulled one; dotted: their mean.";
+    let note = "Per member of a canopy's cloth. Solid: the highest; dotted: the mean.";
     tensions(results, "canopy-tensions", "Tension in canopies", note, |class| class == CANOPY)
 }
 
-/// What is neither rope nor cloth.
+/// Tensions in ties and stitches.
 fn thread_tensions(results: &Results) -> Option<Figure> {
-    let note = "Per tie or stitch, until it lets go. Solid: the hardest pulled one; dotted: their mean.";
+    let note = "Per tie or stitch, until it breaks. Solid: the highest; dotted: the mean.";
     let chosen = |class: &str| class != CANOPY && !is_rope(results, class);
     tensions(results, "thread-tensions", "Tension in ties and stitches", note, chosen)
 }
@@ -195,13 +195,13 @@ fn thread_tensions(results: &Results) -> Option<Figure> {
 const CANOPY: &str = "canopy";
 const OF_ALL_ROPES: &str = "tension";
 
-/// Whether a link class is one of ropes, where the folder tells.
+/// Whether the segments of a link class are ropes; true where the folder has no landmarks.
 fn is_rope(results: &Results, class: &str) -> bool {
     let classes = results.scene.iter().flat_map(|scene| &scene.landmarks.classes);
     classes.filter(|known| known.name == class).all(|known| known.is_rope)
 }
 
-/// Largest and mean tension of the link classes that are `chosen`.
+/// The figure of the highest and mean tensions of the link classes that satisfy `chosen`.
 fn tensions(
     results: &Results,
     id: &'static str,
@@ -246,7 +246,7 @@ fn energies(results: &Results) -> Option<Figure> {
         Figure {
             id: "energies",
             title: "Energy by channel",
-            note: "Each channel is integrated in its own right, none by difference.",
+            note: "Each channel is integrated by itself; none is a difference of others.",
             quantity: "energy",
             unit: String::new(),
             curves,
@@ -262,7 +262,7 @@ fn residual(results: &Results) -> Option<Figure> {
         Figure {
             id: "residual",
             title: "Energy residual",
-            note: "What the channels leave unexplained: the smaller, the better the run.",
+            note: "The energy that the channels do not account for: the smaller, the better the run.",
             quantity: "residual",
             unit: String::new(),
             curves: vec![Curve::new("residual", &times(results)?, &values, 0)],
@@ -287,7 +287,7 @@ fn by_suffix(results: &Results, suffix: &str, name: fn(&str) -> String) -> Optio
     Some(columns.enumerate().map(curve).collect())
 }
 
-/// The same point has the same colour in every chart.
+/// Place in the palette of a feature point: the same in every chart.
 fn part_colour(part: &str) -> Option<usize> {
     ["tractor", "B", "C", "D", "A", "corner", "centre"].iter().position(|known| *known == part)
 }
@@ -304,7 +304,7 @@ fn channel_name(column: &str) -> String {
     column.strip_prefix("energy_").unwrap_or(column).replace('_', " ")
 }
 
-/// The figure in the multiple of `base` that fits its largest value.
+/// Divides the figure's values by the prefix of the unit `base` that fits the largest.
 fn scaled(mut figure: Figure, base: &str) -> Figure {
     let values = figure.curves.iter().flat_map(|curve| &curve.points).filter_map(|(_, value)| *value);
     let scale = Scale::fitting(values.fold(0.0, |largest, value| value.abs().max(largest)), base);
@@ -337,7 +337,7 @@ impl Curve {
 }
 
 impl Figure {
-    /// The figure as `page.js` takes it.
+    /// The figure as `charts.js` reads it.
     pub(crate) fn json(&self) -> Value {
         json!({
             "id": self.id,
@@ -350,7 +350,8 @@ impl Figure {
     }
 }
 
-/// A long curve by the lowest and the highest point of each stretch of it, so that no peak is lost.
+/// Thins a curve of more than [`MOST_POINTS`] points. It keeps the lowest and the highest point of each stretch, so
+/// that every peak stays.
 pub(crate) fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)> {
     if points.len() <= MOST_POINTS {
         return points;
@@ -373,7 +374,7 @@ pub(crate) fn thinned(points: Vec<(f64, Option<f64>)>) -> Vec<(f64, Option<f64>)
     kept
 }
 
-/// Six significant digits: more than a screen shows, a third of the bytes.
+/// Rounds to six significant digits: more than a screen shows, at a third of the bytes.
 pub(crate) fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
@@ -395,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn six_digits_are_kept() {
+    fn numbers_are_rounded_to_six_significant_digits() {
         assert_eq!(six_digits(1.0 / 3.0), 0.333333);
         assert_eq!(six_digits(123456789.0), 123457000.0);
         assert_eq!(six_digits(0.131), 0.131);

@@ -1,11 +1,11 @@
-//! Numbers as a reader likes them: three significant digits, units that fit.
+//! Numbers as text: three significant digits, and units with a fitting prefix.
 
-/// Three significant digits: `15.8`, `0.0123`, `51000`, and `1.20e-9` where zeros would drown them.
+/// Three significant digits: `15.8`, `0.0123`, `51000`, and `1.20e-9` below 1e-4.
 pub(crate) fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { value.to_string() };
     }
-    // rounded before its size is known: 9.996 becomes 10.0, not 10.00
+    // round before taking the exponent: 9.996 becomes 10.0, not 10.00
     let rounded = format!("{value:.2e}");
     let exponent: i32 = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
     if exponent < -4 {
@@ -21,7 +21,7 @@ pub(crate) fn time(seconds: f64) -> String {
     format!("{seconds:.3} s")
 }
 
-/// A length of time that may be very short or long: `1.27 µs`, `11.3 s`, `2 min 5 s`.
+/// A duration from nanoseconds to minutes: `1.27 µs`, `11.3 s`, `2 min 5 s`.
 pub(crate) fn duration(seconds: f64) -> String {
     match seconds {
         s if s >= 60.0 => format!("{:.0} min {:.0} s", (s / 60.0).floor(), s % 60.0),
@@ -43,14 +43,14 @@ pub(crate) fn percent(ratio: f64) -> String {
     if exponent < -4 {
         return format!("{rounded} %");
     }
-    // parsing drops the zeros at the end
+    // parsing drops trailing zeros
     format!("{} %", rounded.parse().unwrap_or(percent))
 }
 
-/// A unit with the prefix that keeps the largest of a set of numbers readable.
+/// A unit with the prefix that suits the largest of a set of numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scale {
-    /// What to divide a value in the base unit by.
+    /// Divisor from the base unit to this unit.
     pub divisor: f64,
     /// The unit with its prefix.
     pub unit: String,
@@ -74,7 +74,7 @@ pub(crate) fn with_prefix(value: f64, base: &str) -> String {
     format!("{} {}", significant(value / scale.divisor), scale.unit)
 }
 
-/// Thin spaces between the thousands.
+/// A count with thin spaces between the thousands.
 pub(crate) fn grouped(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::new();
@@ -87,7 +87,7 @@ pub(crate) fn grouped(count: u64) -> String {
     text
 }
 
-/// Text made safe to stand in HTML, within an element or a quoted attribute.
+/// Text escaped for HTML, within an element or a quoted attribute.
 pub(crate) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_digits_whatever_the_size() {
+    fn numbers_of_any_size_have_three_significant_digits() {
         let cases = [
             (15.8321, "15.8"),
             (9.996, "10.0"),

@@ -8,8 +8,8 @@
 //!  manifest.json ─▶ provenance                                    ─┘
 //! ```
 //!
-//! The page carries its charting library with it and forbids itself the network. It reads the folder and nothing else,
-//! so any result can be reported anew, by whatever version wrote it: what is missing or null is left out.
+//! The page contains its charting library, and its security policy blocks the network. The report reads the result
+//! folder alone, so it also works on results of other versions: a missing or null value is left out.
 
 mod compare;
 mod error;
@@ -35,7 +35,7 @@ use netcast_results::{SummaryFile, folder};
 use results::Results;
 
 /// Writes `report.html` into `result_dir` from the `summary.json`, `history.csv` and `manifest.json` there, and returns
-/// its path. Of the folder of a comparison it is the page of [`write_comparison`].
+/// its path. For the folder of a comparison it calls [`write_comparison`].
 ///
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written.

@@ -1,4 +1,4 @@
-//! What a report reads of a result folder.
+//! Reads the files of a result folder that a report needs.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -8,37 +8,39 @@ use netcast_results::{Fields, History, Landmarks, Manifest, Summary, SummaryFile
 
 use crate::ReportError;
 
-/// A result folder, read.
+/// The contents of a result folder.
 pub(crate) struct Results {
     pub file: SummaryFile,
     pub manifest: Manifest,
     pub history: History,
-    /// The scenario as resolved; empty where the folder does not have it.
+    /// The resolved scenario as TOML; empty where the folder lacks it.
     pub scenario: String,
-    /// Where everything was; none where the folder does not hold the fields.
+    /// The fields with their landmarks; none where the folder lacks either file or the fields hold no frame.
     pub scene: Option<Scene>,
 }
 
-/// Where every node was and what every segment bore, with what of it has a meaning.
+/// Positions of all nodes and tensions of all segments in each frame, with the landmarks that name them.
 pub(crate) struct Scene {
     pub fields: Fields,
     pub landmarks: Landmarks,
-    /// The nodes of the web, ascending: all but those where a tie or stitch ends and nothing else, which stay behind.
+    /// The nodes of the web, ascending: those on a rope and those that a landmark names. A node that only ties or
+    /// stitches reach stays behind at the launcher.
     pub of_web: Vec<usize>,
 }
 
 impl Results {
-    pub(crate) fn read(from: &Path) -> Result<Self, ReportError> {
-        let optional = |name: &str| Some(from.join(name)).filter(|path| path.exists());
+    /// Reads the result folder at `folder_path`.
+    pub(crate) fn read(folder_path: &Path) -> Result<Self, ReportError> {
+        let optional = |name: &str| Some(folder_path.join(name)).filter(|path| path.exists());
         let scenario = optional(folder::INPUTS).map(|inputs| inputs.join("scenario.toml"));
         let scene = match (optional(folder::FIELDS), optional(folder::LANDMARKS)) {
             (Some(fields), Some(landmarks)) => Scene::read(&fields, &landmarks)?,
             _ => None,
         };
         Ok(Self {
-            file: SummaryFile::read(from)?,
-            manifest: Manifest::read(&from.join(folder::MANIFEST))?,
-            history: History::read(&from.join(folder::HISTORY))?,
+            file: SummaryFile::read(folder_path)?,
+            manifest: Manifest::read(&folder_path.join(folder::MANIFEST))?,
+            history: History::read(&folder_path.join(folder::HISTORY))?,
             scenario: scenario
                 .filter(|path| path.exists())
                 .map(|path| read_text(&path))
@@ -48,35 +50,35 @@ impl Results {
         })
     }
 
-    /// The run in numbers.
+    /// The summary of the run.
     pub(crate) fn summary(&self) -> &Summary {
         &self.file.summary
     }
 
-    /// The scenario's title, or that it has none.
+    /// The scenario's title, or `Untitled scenario` where it is blank.
     pub(crate) fn title(&self) -> &str {
         let title = &self.summary().title;
         if title.trim().is_empty() { "Untitled scenario" } else { title }
     }
 
-    /// The cells of a column of the history, where it holds any number.
+    /// The cells of a column of the history; none where the column is absent or empty.
     pub(crate) fn column(&self, name: &str) -> Option<Vec<Option<f64>>> {
         let cells: Vec<Option<f64>> = self.history.values(name)?.collect();
         cells.iter().any(Option::is_some).then_some(cells)
     }
 
-    /// The columns that hold any number, in the order of the file.
+    /// Names and cells of the columns with at least one number, in the order of the file.
     pub(crate) fn filled(&self) -> impl Iterator<Item = (&str, Vec<Option<f64>>)> {
         self.history.columns().iter().filter_map(|name| Some((name.as_str(), self.column(name)?)))
     }
 }
 
 impl Scene {
-    /// None where the run recorded no fields.
+    /// Reads fields and landmarks; none where the fields hold no frame.
     fn read(fields: &Path, landmarks: &Path) -> Result<Option<Self>, ReportError> {
-        let (scene, path) = (Self::new(read_fields(fields)?, Landmarks::read(landmarks)?), landmarks);
+        let scene = Self::new(read_fields(fields)?, Landmarks::read(landmarks)?);
         if let Some(node) = scene.landmarks.nodes().find(|&node| node >= scene.fields.topology.nodes) {
-            let (path, nodes) = (path.to_path_buf(), scene.fields.topology.nodes);
+            let (path, nodes) = (landmarks.to_path_buf(), scene.fields.topology.nodes);
             return Err(ReportError::UnknownNode { path, node, nodes });
         }
         Ok((!scene.fields.times.is_empty()).then_some(scene))
@@ -92,24 +94,24 @@ impl Scene {
         scene
     }
 
-    /// Whether a segment is one of a rope.
+    /// Whether a segment belongs to a rope.
     pub(crate) fn is_rope(&self, segment: usize) -> bool {
         let class = self.fields.topology.classes[segment] as usize;
         self.landmarks.classes.get(class).is_none_or(|class| class.is_rope)
     }
 
-    /// Number of frames; at least one.
+    /// Number of frames, at least one.
     pub(crate) fn frames(&self) -> usize {
         self.fields.times.len()
     }
 
-    /// The frame nearest to a time, s.
+    /// Index of the frame nearest to `time`, s.
     pub(crate) fn frame_at(&self, time: f64) -> usize {
         let distance = |frame: usize| (self.fields.times[frame] - time).abs();
         (0..self.frames()).min_by(|&one, &other| distance(one).total_cmp(&distance(other))).unwrap_or(0)
     }
 
-    /// The mean of some nodes in a frame, m.
+    /// Mean position of `nodes` in a frame, m.
     pub(crate) fn mean(&self, frame: usize, nodes: &[usize]) -> DVec3 {
         let positions = self.fields.positions(frame);
         nodes.iter().map(|&node| positions[node]).sum::<DVec3>() / nodes.len() as f64

@@ -1,4 +1,4 @@
-//! The numbers of a summary as HTML tables: the rows of the table of quantities that the file has a value for.
+//! The numbers of a summary as HTML tables: one row for each quantity with a value in the file.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::format::{Scale, duration, escape, grouped, percent, significant, time, with_prefix};
 use crate::words::is_equilibrium;
 
-/// What stands where a scenario has no such thing.
+/// The cell of a quantity that a scenario lacks.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
 
 /// All tables of a summary as one piece of HTML.
@@ -36,30 +36,30 @@ pub(crate) fn stowed(file: &SummaryFile) -> String {
     pairs("State at the start", &rows(file, &["stowed"]))
 }
 
-/// Names and values of some sections: what the table of quantities has in tables and the file a value for.
+/// Names and values of the quantities of some sections, of those that belong in tables and have a value in the file.
 fn rows(file: &SummaryFile, sections: &[&str]) -> Vec<(String, String)> {
     let of_section = |section: &str| {
         let value = &file.values[section];
         let keys = SECTIONS.iter().filter(|known| known.key == section).flat_map(|known| known.quantities());
-        keys.filter(|quantity| quantity.in_table).flat_map(|quantity| told(quantity, value)).collect::<Vec<_>>()
+        keys.filter(|quantity| quantity.in_table).flat_map(|quantity| entries(quantity, value)).collect::<Vec<_>>()
     };
     sections.iter().flat_map(|section| of_section(section)).collect()
 }
 
-/// Name and value of a quantity of a section, or of each that stands there by name.
-fn told(quantity: &Quantity, section: &Value) -> Vec<(String, String)> {
-    // of a section that is a number itself
+/// Name and value of a quantity of a section; one entry for each object where the quantity is listed by name.
+fn entries(quantity: &Quantity, section: &Value) -> Vec<(String, String)> {
+    // a quantity without a parent is itself the whole section
     let value = if quantity.parent.is_empty() { section } else { &section[quantity.key] };
     if quantity.by_name {
-        let of_each = value.as_object().into_iter().flatten();
-        let told =
-            of_each.map(|(name, value)| Some((quantity.name_of(&name.replace('_', " ")), written(quantity, value)?)));
-        return told.flatten().collect();
+        let named = value.as_object().into_iter().flatten();
+        let entries =
+            named.map(|(name, value)| Some((quantity.name_of(&name.replace('_', " ")), written(quantity, value)?)));
+        return entries.flatten().collect();
     }
     written(quantity, value).map(|value| (quantity.name.to_owned(), value)).into_iter().collect()
 }
 
-/// A value with its unit, as a reader likes it; none where the file has none.
+/// A value as text with its unit; none where the file has no value.
 fn written(quantity: &Quantity, value: &Value) -> Option<String> {
     let number = |write: fn(f64) -> String| value.as_f64().map(write);
     let with_unit = |write: fn(f64) -> String| {
@@ -81,7 +81,7 @@ fn written(quantity: &Quantity, value: &Value) -> Option<String> {
         Dimension::Text => value.as_str().map(str::to_owned),
         Dimension::Truth => value.as_bool().map(|yes| if yes { "yes".into() } else { "no".into() }),
         Dimension::Velocity | Dimension::Place => {
-            components(value).map(|told| format!("{told} {}", quantity.dimension.unit()))
+            components(value).map(|text| format!("{text} {}", quantity.dimension.unit()))
         }
         Dimension::Length
         | Dimension::Area
@@ -94,7 +94,7 @@ fn written(quantity: &Quantity, value: &Value) -> Option<String> {
     }
 }
 
-/// By how much a member is longer or shorter than at rest.
+/// A strain in words: longer or shorter than the rest length, in percent.
 fn strain(strain: f64) -> String {
     match strain {
         s if s > 1e-9 => format!("{} too long", percent(s)),
@@ -103,14 +103,14 @@ fn strain(strain: f64) -> String {
     }
 }
 
-/// The components of a vector that is not zero.
+/// The components of a vector; none where it is zero.
 fn components(value: &Value) -> Option<String> {
     let components: Vec<f64> = value.as_array()?.iter().filter_map(Value::as_f64).collect();
-    let told: Vec<String> = components.iter().map(|along| significant(*along)).collect();
-    components.iter().any(|along| *along != 0.0).then(|| told.join(", "))
+    let texts: Vec<String> = components.iter().map(|component| significant(*component)).collect();
+    components.iter().any(|component| *component != 0.0).then(|| texts.join(", "))
 }
 
-/// The rows of the opening with the largest area over that of the flat web, which the summary does not have.
+/// The rows of the opening, with the ratio of the largest area to the flat area added: the summary lacks it.
 fn with_share(file: &SummaryFile, mut rows: Vec<(String, String)>) -> Vec<(String, String)> {
     let opening = &file.summary.opening;
     if let (Some(area), Some(reference)) = (opening.area_max_m2, opening.reference_area_m2) {
@@ -121,11 +121,11 @@ fn with_share(file: &SummaryFile, mut rows: Vec<(String, String)>) -> Vec<(Strin
     rows
 }
 
-/// A table of things that stand by name in the object at `path`, a row a thing and a column a quantity; `more` rows
-/// follow. Forces have one unit.
+/// A table of the named objects at `path`, one row for each object and one column for each quantity. The rows of `more`
+/// follow. All forces have one unit.
 fn by_name(
     file: &SummaryFile,
-    (title, thing): (&str, &str),
+    heading: Heading,
     path: &str,
     more: impl FnOnce(&Scale) -> Vec<(String, Vec<String>)>,
 ) -> String {
@@ -165,34 +165,41 @@ fn by_name(
         cells.resize(columns.len(), String::new());
         (name, cells)
     }));
-    grid(title, thing, &heads, rows)
+    grid(heading, &heads, rows)
+}
+
+/// The heading of a grid.
+struct Heading {
+    title: &'static str,
+    /// Head of the first column, above the names.
+    names: &'static str,
 }
 
 fn points(file: &SummaryFile) -> String {
-    by_name(file, ("Points", "Point"), "points", |_| Vec::new())
+    by_name(file, Heading { title: "Points", names: "Point" }, "points", |_| Vec::new())
 }
 
 fn tension(file: &SummaryFile) -> String {
     let tension = &file.summary.tension;
-    // in the first column, that of the highest tension
+    // the values stand in the first column, the highest tension
     let bottom = |scale: &Scale| {
-        let told = |path: &str, force: Option<f64>| {
+        let row = |path: &str, force: Option<f64>| {
             let force = force.map(|force| significant(force / scale.divisor)).unwrap_or_default();
             (quantity_at(path).map_or(String::new(), |(quantity, _)| quantity.name.to_owned()), vec![force])
         };
         if tension.bottom_max_n.is_none() {
             return Vec::new();
         }
-        vec![told("tension.bottom_max_n", tension.bottom_max_n), told("tension.bottom_mean_n", tension.bottom_mean_n)]
+        vec![row("tension.bottom_max_n", tension.bottom_max_n), row("tension.bottom_mean_n", tension.bottom_mean_n)]
     };
-    by_name(file, ("Tension per rope", "Ropes"), "tension.by_class", bottom)
+    by_name(file, Heading { title: "Tension per rope", names: "Ropes" }, "tension.by_class", bottom)
 }
 
 fn ropes(file: &SummaryFile) -> String {
-    by_name(file, ("Use of each rope", "Rope"), "tension.by_rope", |_| Vec::new())
+    by_name(file, Heading { title: "Use of each rope", names: "Rope" }, "tension.by_rope", |_| Vec::new())
 }
 
-/// A table of names and values. One without rows is left out.
+/// A table of names and values; empty text where there are no rows.
 fn pairs(title: &str, rows: &[(String, String)]) -> String {
     let row = |(name, value): &(String, String)| {
         format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name), escape(value))
@@ -204,8 +211,8 @@ fn pairs(title: &str, rows: &[(String, String)]) -> String {
     format!("<section class=\"table\"><h3>{title}</h3>\n<table>\n{rows}</table></section>\n")
 }
 
-/// A table with a head and a row a thing; an empty cell is marked. Without rows there is no table.
-fn grid(title: &str, thing: &str, heads: &[String], rows: Vec<(String, Vec<String>)>) -> String {
+/// A table with a head and named rows; an empty cell shows a dash. Empty text where there are no rows.
+fn grid(heading: Heading, heads: &[String], rows: Vec<(String, Vec<String>)>) -> String {
     if rows.is_empty() {
         return String::new();
     }
@@ -220,8 +227,9 @@ fn grid(title: &str, thing: &str, heads: &[String], rows: Vec<(String, Vec<Strin
             format!("<tr><th scope=\"row\">{}</th>{cells}</tr>\n", escape(name))
         })
         .collect();
+    let Heading { title, names } = heading;
     format!(
-        "<section class=\"table wide\"><h3>{title}</h3>\n<table>\n<thead><tr><th scope=\"col\">{thing}</th>{heads}</tr>\
+        "<section class=\"table wide\"><h3>{title}</h3>\n<table>\n<thead><tr><th scope=\"col\">{names}</th>{heads}</tr>\
          </thead>\n<tbody>\n{body}</tbody></table></section>\n"
     )
 }

@@ -1,4 +1,4 @@
-//! The page of a comparison: whole, offline, safe, and made of whatever its folders have.
+//! The page of a comparison: complete, offline, safe against markup in texts, and written for partial folders too.
 
 use std::fs;
 use std::path::Path;
@@ -88,7 +88,7 @@ fn data(page: &str) -> Value {
 }
 
 #[test]
-fn one_file_that_fetches_nothing_and_takes_no_markup() {
+fn the_page_is_one_file_that_fetches_nothing_and_escapes_markup() {
     let page = page();
     assert!(page.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"));
     let own = own(&page);
@@ -101,7 +101,7 @@ fn one_file_that_fetches_nothing_and_takes_no_markup() {
 }
 
 #[test]
-fn the_table_marks_the_best_and_stands_beside_what_is_reported() {
+fn the_table_marks_the_best_and_shows_reported_values_with_their_deviation() {
     let page = page();
     assert!(page.contains("★ </span>0.120<span class=\"said\"> (best)</span>"));
     assert!(page.contains("<td class=\"reported\">0.160<small>-12 %</small></td>"));
@@ -120,17 +120,17 @@ fn the_table_marks_the_best_and_stands_beside_what_is_reported() {
 }
 
 #[test]
-fn a_design_that_failed_is_marked_with_why() {
+fn a_design_that_failed_is_listed_with_the_reason() {
     let page = page();
     assert!(page.contains("<b>star</b>: step 3 &lt;b&gt;."));
     assert!(page.contains("stopped early"));
-    // told once, not as a warning again
+    // once, not again as a warning
     assert_eq!(page.matches("step 3 &lt;b&gt;").count(), 1);
     assert!(page.contains("<li>no air</li>"));
 }
 
 #[test]
-fn curves_of_the_designs_lie_over_each_other() {
+fn a_figure_has_one_curve_for_each_design() {
     let data = data(&page());
     let figures = data["figures"].as_array().unwrap();
     let figure =
@@ -142,14 +142,14 @@ fn curves_of_the_designs_lie_over_each_other() {
     // a design keeps its colour where the others have no curve
     assert_eq!(figure("b-speed")["curves"].as_array().unwrap().len(), 1);
     assert_eq!(figure("b-speed")["curves"][0]["colour"], 1);
-    // the sum has a gap where a part has one
+    // the sum has a gap where a summand has one
     assert_eq!(figure("energy")["curves"][0]["y"], json!([123.0, null]));
     assert_eq!(figure("tilt")["unit"], "°");
     assert_eq!(figure("tilt")["curves"][0]["y"][0], json!(28.6479));
 }
 
 #[test]
-fn what_is_missing_is_said() {
+fn missing_files_are_named_on_the_page_or_in_the_error() {
     let folder = folder();
     let page = fs::read_to_string(write_comparison(folder.path()).unwrap()).unwrap();
     assert!(page.contains("star: its folder holds no fields or landmarks"));
@@ -162,7 +162,7 @@ fn what_is_missing_is_said() {
 }
 
 #[test]
-fn a_report_of_a_comparison_is_its_page() {
+fn the_report_of_a_comparison_is_the_comparison_page() {
     let folder = folder();
     assert_eq!(write_report(folder.path()).unwrap(), folder.path().join("report.html"));
     assert!(fs::read_to_string(folder.path().join("report.html")).unwrap().contains("What differs in the inputs"));

@@ -1,4 +1,4 @@
-//! The pictures made of a result folder: what is in them, where it lies, and what becomes of the folder.
+//! The pictures of a result folder: their contents, where parts lie in them, and the files of the folder afterwards.
 
 use std::fs;
 use std::path::Path;
@@ -22,7 +22,7 @@ const INK: [u8; 3] = [0x1c, 0x21, 0x26];
 const ACCENT: [u8; 3] = [0x0b, 0x5c, 0x8a];
 const WHITE: [u8; 3] = [255; 3];
 
-/// A square of four ropes, 2 m wide when flat, tractors of 0.2 m at its corners, its middle at the mean of them.
+/// A square of four ropes, 2 m wide when flat, with tractors of 0.2 m at its corners. Its middle is their mean.
 fn landmarks() -> Landmarks {
     let corners: Vec<usize> = (0..4).collect();
     let tractor = |node| BodyMark {
@@ -62,7 +62,7 @@ fn write_page_numbers(folder: &Path, summary: &Value) {
     fs::write(folder.join("history.csv"), format!("time_s,area_m2\n{rows}")).unwrap();
 }
 
-/// A result of the square net, as wide at each frame as `widths` says over its flat width, frames 10 ms apart.
+/// A result of the square net: `widths` gives its width in each frame over the flat width; frames are 10 ms apart.
 fn folder(title: &str, widths: &[f64]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let summary = json!({
@@ -79,7 +79,7 @@ fn folder(title: &str, widths: &[f64]) -> TempDir {
     folder
 }
 
-/// The net at each frame; a place where the first corner is tied to.
+/// Writes the net at each frame; `tied_to` is a fixed point that the first corner is tied to.
 fn write_fields(folder: &Path, widths: &[f64], tied_to: Option<DVec3>) {
     let tie = tied_to.map(|_| [0, 4]);
     let topology = FieldsTopology {
@@ -102,7 +102,7 @@ fn write_fields(folder: &Path, widths: &[f64], tied_to: Option<DVec3>) {
     fields.finish(&folder.join("fields.vtkhdf")).unwrap();
 }
 
-/// Opens until 0.3 s and closes again.
+/// Widths of a net that opens until 0.3 s and closes again.
 fn opening() -> Vec<f64> {
     (0..=60).map(|frame| 1.0 - 0.03 * f64::from((frame - 30_i32).abs())).collect()
 }
@@ -135,14 +135,14 @@ fn pixel(picture: &Pixmap, x: f64, y: f64) -> [u8; 3] {
 }
 
 #[test]
-fn every_picture_is_written_and_told() {
+fn every_picture_is_written_and_its_path_returned() {
     let folder = folder("A net", &opening());
     let written = write_pictures(folder.path()).unwrap();
     let pictures = folder.path().join("pictures");
-    let mut told: Vec<String> =
+    let mut names: Vec<String> =
         written.iter().map(|path| path.strip_prefix(&pictures).unwrap().to_str().unwrap().to_owned()).collect();
-    told.sort();
-    assert_eq!(told, names_in(&pictures));
+    names.sort();
+    assert_eq!(names, names_in(&pictures));
     let expected = [
         "animation.gif",
         "clouds.png",
@@ -154,20 +154,20 @@ fn every_picture_is_written_and_told() {
         "stowed.png",
         "stowed.svg",
     ];
-    assert_eq!(told, expected);
-    for name in told.iter().filter(|name| name.ends_with(".svg")) {
+    assert_eq!(names, expected);
+    for name in names.iter().filter(|name| name.ends_with(".svg")) {
         let svg = svg(&folder, name);
         let tree = Tree::from_str(&svg, &Options::default()).unwrap();
         let png = Pixmap::decode_png(&picture(&folder, &name.replace(".svg", ".png"))).unwrap();
         let size = tree.size().to_int_size();
         assert_eq!((png.width(), png.height()), (2 * size.width(), 2 * size.height()), "{name}");
-        // colours that every program understands
+        // no variables: programs other than browsers do not resolve them
         assert!(!svg.contains("var("), "{name}");
     }
 }
 
 #[test]
-fn a_known_net_lies_where_the_projection_says() {
+fn a_known_net_is_drawn_at_its_projected_positions() {
     let folder = folder("A net", &[1.0]);
     write_pictures(folder.path()).unwrap();
     let png = Pixmap::decode_png(&picture(&folder, "stowed.png")).unwrap();
@@ -178,8 +178,8 @@ fn a_known_net_lies_where_the_projection_says() {
     let at = |x: f64, y: f64| pixel(&png, middle_x + px_per_m * x, middle_y - px_per_m * y);
     for (x, y) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
         assert_eq!(at(x, y), INK, "a tractor is at {x}, {y}");
-        assert_eq!(at(x * 0.94, y * 0.94), INK, "and is as large as it is");
-        assert_eq!(at(x * 0.90, y * 0.90), at(0.5, 0.5), "and no larger");
+        assert_eq!(at(x * 0.94, y * 0.94), INK, "it has at least its true size");
+        assert_eq!(at(x * 0.90, y * 0.90), at(0.5, 0.5), "it has at most its true size");
     }
     assert_eq!(at(0.0, 1.0), HIGHEST, "the rope from corner 0 to 1");
     assert_eq!(at(0.0, -1.0), LOWEST, "the rope from corner 2 to 3");
@@ -188,7 +188,7 @@ fn a_known_net_lies_where_the_projection_says() {
     let radius = 12.0 / px_per_m;
     assert_eq!([at(0.3 + radius, -0.2), at(0.3, -0.2 - radius)], [ACCENT; 2]);
     assert_eq!(at(0.3, -0.2), at(0.5, 0.5));
-    // wholly open: the outline is shaded
+    // the net is fully open, so the outline is shaded
     assert_ne!(at(0.5, 0.5), WHITE);
     // from the side the net is a line
     let side = |x: f64, z: f64| pixel(&png, 2.0 * (16.0 + 220.0) + px_per_m * x, middle_y - px_per_m * z);
@@ -196,9 +196,9 @@ fn a_known_net_lies_where_the_projection_says() {
     assert_eq!(side(0.5, 0.2), WHITE);
 }
 
-/// What a tie is fastened to stays behind when the net flies on.
+/// The fixed end of a tie stays behind when the net flies away.
 #[test]
-fn ties_are_no_ropes_and_what_they_are_fastened_to_fills_no_picture() {
+fn ties_are_not_drawn_and_their_fixed_ends_do_not_widen_pictures() {
     let (free, tied) = (folder("A net", &[0.2, 0.6, 1.0]), folder("A net", &[0.2, 0.6, 1.0]));
     write_fields(tied.path(), &[0.2, 0.6, 1.0], Some(DVec3::new(30.0, 0.0, -9.0)));
     let mut landmarks = landmarks();
@@ -224,7 +224,7 @@ fn ties_are_no_ropes_and_what_they_are_fastened_to_fills_no_picture() {
 }
 
 #[test]
-fn postures_are_eight_moments_in_order_each_with_its_meaning() {
+fn postures_are_eight_named_moments_in_order_of_time() {
     let folder = folder("A net", &opening());
     write_pictures(folder.path()).unwrap();
     let svg = svg(&folder, "postures.svg");
@@ -240,7 +240,7 @@ fn postures_are_eight_moments_in_order_each_with_its_meaning() {
     ];
     assert_eq!(texts(&svg, "name"), names);
     let captions: Vec<String> = texts(&svg, "soft").into_iter().filter(|text| text.contains("flat ·")).collect();
-    // what is said to be 80 % open is: the first and the last frame within the spell; the widest gap is filled
+    // `80 % open` names the first and the last frame of that interval; `opening` fills the widest gap
     let times = ["0.000", "0.080", "0.170", "0.270", "0.300", "0.330", "0.500", "0.600"];
     assert_eq!(captions.iter().map(|caption| &caption[..5]).collect::<Vec<_>>(), times);
     assert!(
@@ -253,21 +253,23 @@ fn postures_are_eight_moments_in_order_each_with_its_meaning() {
 }
 
 #[test]
-fn clouds_say_what_they_bear_and_what_they_miss() {
+fn clouds_state_their_highest_tension_and_the_peak_between_frames() {
     let folder = folder("A net", &opening());
     write_pictures(folder.path()).unwrap();
     let svg = svg(&folder, "clouds.svg");
     assert_eq!(texts(&svg, "name").len(), 6);
     assert_eq!(svg.matches("up\u{a0}to\u{a0}1.00\u{a0}kN").count(), 6);
-    // the same rope has the same colour in each, and the slack one that of slack
+    // each rope keeps its colour in all pictures, and the slack rope has that of slack
     assert_eq!(svg.matches("<path stroke=\"#f68001\"").count(), 6);
     assert_eq!(svg.matches("<path stroke=\"#1957d2\"").count(), 6);
     assert_eq!(svg.matches("<g class=\"ropes\"><path stroke-width").count(), 6);
-    assert!(svg.contains("The highest tension of all, 1.50 kN in a rope of class outline, fell between two frames"));
+    assert!(
+        svg.contains("The highest tension of the run, 1.50 kN in a rope of class outline, fell between two frames")
+    );
 }
 
 #[test]
-fn the_animation_runs_for_ever_in_one_palette() {
+fn the_animation_repeats_without_end_and_has_one_palette() {
     let folder = folder("A net", &opening());
     write_pictures(folder.path()).unwrap();
     let gif = picture(&folder, "animation.gif");
@@ -291,7 +293,7 @@ fn the_animation_runs_for_ever_in_one_palette() {
 }
 
 #[test]
-fn a_long_record_is_shown_in_so_many_frames() {
+fn an_animation_has_at_most_120_frames() {
     let folder = folder("A net", &vec![0.5; 400]);
     write_pictures(folder.path()).unwrap();
     let gif = picture(&folder, "animation.gif");
@@ -323,12 +325,12 @@ fn older_pictures_are_replaced_as_a_whole() {
     let before = names_in(folder.path());
     write_pictures(folder.path()).unwrap();
     assert!(!pictures.join("curve_of_an_older_version.svg").exists());
-    assert_eq!(names_in(folder.path()), before, "nothing is left beside them");
+    assert_eq!(names_in(folder.path()), before, "no temporary folder is left");
 }
 
 #[test]
-fn without_fields_it_says_what_is_missing_and_leaves_what_was_there() {
-    for (missing, said) in
+fn without_fields_the_error_names_what_is_missing_and_older_pictures_stay() {
+    for (missing, message) in
         [("fields.vtkhdf", "fields.vtkhdf is missing"), ("landmarks.json", "landmarks.json is missing")]
     {
         let folder = folder("A net", &[0.2, 1.0]);
@@ -336,7 +338,7 @@ fn without_fields_it_says_what_is_missing_and_leaves_what_was_there() {
         fs::remove_file(folder.path().join(missing)).unwrap();
         let before = names_in(folder.path());
         let error = write_pictures(folder.path()).unwrap_err();
-        assert!(matches!(error, ReportError::NoFields { .. }) && error.to_string().contains(said), "{error}");
+        assert!(matches!(error, ReportError::NoFields { .. }) && error.to_string().contains(message), "{error}");
         assert_eq!(names_in(folder.path()), before);
         assert!(!picture(&folder, "postures.svg").is_empty());
     }
@@ -346,7 +348,7 @@ fn without_fields_it_says_what_is_missing_and_leaves_what_was_there() {
 }
 
 #[test]
-fn a_title_may_hold_anything() {
+fn markup_and_control_characters_in_a_title_leave_the_svg_valid() {
     let folder = folder("</svg><script>&\u{1}\u{7f} ä \"net\"", &[0.2, 1.0]);
     write_pictures(folder.path()).unwrap();
     let svg = svg(&folder, "postures.svg");
@@ -354,7 +356,7 @@ fn a_title_may_hold_anything() {
     Tree::from_str(&svg, &Options::default()).unwrap();
 }
 
-/// A square net of `meshes` a side, `pieces` segments a rope.
+/// A result of a square net with `meshes` meshes along a side and `pieces` segments in a mesh side.
 fn large_net(meshes: usize, pieces: usize) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     write_page_numbers(folder.path(), &json!({"title": "Large"}));
@@ -398,20 +400,20 @@ fn large_net(meshes: usize, pieces: usize) -> TempDir {
 }
 
 #[test]
-fn thirty_thousand_segments_stay_small() {
-    // 30,800 segments; without the nodes inside ropes 6,160 remain
+fn pictures_of_thirty_thousand_segments_stay_small() {
+    // 30,800 segments; without the nodes inside ropes, 6,160 remain
     let folder = large_net(55, 5);
     write_pictures(folder.path()).unwrap();
     let postures = svg(&folder, "postures.svg");
     assert_eq!(texts(&postures, "name").len(), 8);
     assert!(postures.contains("Drawn without some of the nodes inside ropes"));
-    // 14 bytes a rope and picture, where hardly two neighbours have the same tension
+    // 14 bytes for each rope in each picture, although few neighbours share a tension
     assert!(postures.len() < 700_000, "{} bytes", postures.len());
     assert!(picture(&folder, "animation.gif").len() < 6_000_000);
 }
 
 #[test]
-fn a_net_that_can_be_drawn_whole_is() {
+fn a_net_below_the_limit_is_drawn_with_all_nodes() {
     let folder = large_net(20, 5);
     write_pictures(folder.path()).unwrap();
     assert!(!svg(&folder, "postures.svg").contains("Drawn without"));

@@ -1,4 +1,4 @@
-//! The page made of a result folder: whole, offline, safe, and made of whatever the folder has.
+//! The page of a result folder: complete, offline, safe against markup in texts, and written for partial folders too.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use netcast_results::ResultError;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-/// A result as a launched web with points, classes and energies leaves it.
+/// The summary of a launched web with points, classes and energies.
 fn summary() -> Value {
     json!({
         "title": "A web", "netcast": "0.1.0", "wall_time_s": 1.5, "finished": true,
@@ -88,7 +88,7 @@ fn figures(page: &str) -> Vec<Value> {
     serde_json::from_str(data).unwrap()
 }
 
-/// The curves that the page draws, by the identity of their figure.
+/// Id and names of the curves of each figure on the page.
 fn curves(page: &str) -> Vec<(String, Vec<String>)> {
     let name = |value: &Value| value.as_str().unwrap().to_owned();
     figures(page)
@@ -101,10 +101,10 @@ fn curves(page: &str) -> Vec<(String, Vec<String>)> {
 }
 
 #[test]
-fn one_file_that_fetches_nothing() {
+fn the_page_is_one_file_that_fetches_nothing() {
     let page = page(&summary(), &history());
     assert!(page.len() < 6_000_000, "{} bytes", page.len());
-    // the browser itself is told to refuse what a later change might fetch
+    // the policy makes the browser refuse whatever a later change might fetch
     assert!(page.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"));
     let own = without_library(&page);
     for fetch in ["http:", "https:", "<link", "<iframe", "<img", "src=", "@import", "url(", "fetch("] {
@@ -113,7 +113,7 @@ fn one_file_that_fetches_nothing() {
 }
 
 #[test]
-fn every_curve_is_there_under_its_name() {
+fn the_page_has_every_curve_under_its_name() {
     let expected = [
         ("areas", vec!["outline area", "vector area", "tractors' polygon", "80 % of the flat web"]),
         ("speeds", vec!["B", "tractors"]),
@@ -158,7 +158,7 @@ fn curves_carry_the_numbers_of_the_history_in_a_fitting_unit() {
 }
 
 #[test]
-fn words_and_numbers_stand_on_the_page() {
+fn the_page_shows_words_and_numbers() {
     let page = page(&summary(), &history());
     assert!(page.contains("<li>Opens to 15.8 m² (97 % of the flat web) at 0.131 s.</li>"));
     assert!(page.contains("<li>The air is left out.</li>"));
@@ -168,14 +168,14 @@ fn words_and_numbers_stand_on_the_page() {
 }
 
 #[test]
-fn without_fields_the_page_says_what_the_replay_lacks() {
+fn without_fields_the_page_says_what_a_replay_needs() {
     let page = page(&summary(), &history());
-    assert!(page.contains("There is nothing to replay: that takes fields.vtkhdf"));
+    assert!(page.contains("There is nothing to replay: a replay needs fields.vtkhdf"));
     assert!(!page.contains("id=\"replay-data\"") && !page.contains("id=\"replay-view\""));
 }
 
 #[test]
-fn the_scenario_stands_on_the_page_as_it_was_resolved() {
+fn the_page_shows_the_resolved_scenario() {
     let folder = folder(&summary(), &history());
     fs::create_dir(folder.path().join("inputs")).unwrap();
     fs::write(folder.path().join("inputs/scenario.toml"), "title = \"a <b> & c\"\n").unwrap();
@@ -199,7 +199,7 @@ fn a_title_cannot_become_markup() {
 }
 
 #[test]
-fn what_a_scenario_does_not_have_is_left_out() {
+fn missing_and_null_values_are_left_out() {
     let summary = json!({
         "title": "", "finished": false,
         "opening": {"area_max_m2": null, "reference_area_m2": null, "effective_from_s": null, "effective_to_s": null},
@@ -214,14 +214,14 @@ fn what_a_scenario_does_not_have_is_left_out() {
 }
 
 #[test]
-fn a_run_that_failed_at_once_has_a_page_too() {
+fn a_run_that_failed_at_its_start_has_a_page() {
     let page = page(&json!({"title": "Failed", "finished": false}), "time_s\n");
     assert!(curves(&page).is_empty());
     assert!(page.contains("The run stopped before its end"));
 }
 
 #[test]
-fn what_is_wrong_with_the_folder_is_said() {
+fn the_error_names_the_file_that_is_missing_or_malformed() {
     let empty = tempfile::tempdir().unwrap();
     assert!(write_report(empty.path()).unwrap_err().to_string().contains("summary.json"));
 

@@ -1,9 +1,9 @@
-// Replays all designs on one clock and with one camera, and lays their curves over each other.
+// Replays all designs with one clock and one camera, and overlays their curves.
 (async () => {
   "use strict";
   const { designs, dashes, figures } = JSON.parse(document.getElementById("comparison-data").textContent);
 
-  /** Figures with a curve a design, told apart by colour and dash. */
+  /** Figures with one curve for each design, distinguished by colour and dash. */
   class Overlays extends Charts {
     trace(chart, curve, place, colours) {
       const trace = super.trace(chart, curve, place, colours);
@@ -13,17 +13,19 @@
     makeKey(chart) {
       super.makeKey(chart);
       const entries = chart.key.querySelectorAll("button");
-      chart.figure.curves.forEach(({ colour }, place) => entries[place].classList.add(`dash-${colour % dashes.length}`));
+      for (const [place, { colour }] of chart.figure.curves.entries()) {
+        entries[place].classList.add(`dash-${colour % dashes.length}`);
+      }
     }
   }
-  // every design has a colour of its own
+  // one colour for each design
   Charts.CURVES = designs.length;
 
   const charts = new Overlays(figures);
   charts.onSeek((time) => charts.setTime(time));
   charts.followReader();
 
-  /** A design's run on its stage; null where there is none, or none that this browser can show. */
+  /** The view of a design's run; null where the run is missing or this browser cannot show it. */
   async function stage(host) {
     const element = document.getElementById(`replay-${host.dataset.design}`);
     host.dataset.state = element === null ? "There is no replay of this design." : "unpacking …";
@@ -45,11 +47,11 @@
     return player;
   }
 
-  // what is seen first comes first
+  // the replay is above the curves
   const player = await replay();
   performance.mark("replay");
   await charts.show();
   performance.mark("curves");
-  // for those who look into the page, and for its tests
+  // for the tests of the page, and for readers at the browser's console
   window.netcast = { player, charts };
 })();

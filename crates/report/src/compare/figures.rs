@@ -1,4 +1,4 @@
-//! Curves of several designs laid over each other: a figure a quantity, a curve a design.
+//! The figures of a comparison: one for each quantity, with one curve for each design.
 
 use netcast_results::comparison::Design;
 use serde_json::{Value, json};
@@ -8,20 +8,20 @@ use crate::format::Scale;
 use crate::page::figure_frame;
 use crate::results::Results;
 
-/// What a figure shows.
-struct OverlaidCurve {
+/// A quantity that a figure shows for all designs.
+struct OverlaidQuantity {
     id: &'static str,
     title: &'static str,
     note: &'static str,
-    /// Its unit; N and J stand on the page with a prefix that fits.
+    /// The unit; N and J take a fitting prefix on the page.
     unit: &'static str,
-    /// What a value of the history is multiplied by to be in that unit.
+    /// Factor from the unit of the history to `unit`.
     factor: f64,
-    /// Columns of the history whose sum it is.
+    /// Columns of the history; the quantity is their sum.
     columns: &'static [&'static str],
 }
 
-impl OverlaidCurve {
+impl OverlaidQuantity {
     const fn new(
         id: &'static str,
         title: &'static str,
@@ -33,52 +33,64 @@ impl OverlaidCurve {
     }
 }
 
-/// The figures in the order of the page; one without any curve is left out.
-const CURVES: [OverlaidCurve; 17] = [
-    OverlaidCurve::new("area", "Area inside the outline", "Seen along the launch axis.", "m²", &["area_m2"]),
-    OverlaidCurve::new(
+/// The quantities in the order of the page; one that no design has is left out.
+const QUANTITIES: [OverlaidQuantity; 17] = [
+    OverlaidQuantity::new("area", "Area inside the outline", "Seen along the launch axis.", "m²", &["area_m2"]),
+    OverlaidQuantity::new(
         "tractor-area",
         "Tractors' polygon",
         "Its area along the launch axis.",
         "m²",
         &["tractor_area_m2"],
     ),
-    OverlaidCurve::new("shadow", "Silhouette", "Area of the web's shadow along the axis.", "m²", &["shadow_area_m2"]),
-    OverlaidCurve {
+    OverlaidQuantity::new(
+        "shadow",
+        "Silhouette",
+        "Area of the web's shadow along the axis.",
+        "m²",
+        &["shadow_area_m2"],
+    ),
+    OverlaidQuantity {
         factor: 100.0,
-        ..OverlaidCurve::new("coverage", "Target covered", "Share of the stated target.", "%", &["target_coverage"])
+        ..OverlaidQuantity::new("coverage", "Target covered", "Share of the stated target.", "%", &["target_coverage"])
     },
-    OverlaidCurve::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_max_n"]),
-    OverlaidCurve::new(
+    OverlaidQuantity::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_max_n"]),
+    OverlaidQuantity::new(
         "bottom-tension",
         "Bottom ropes",
-        "Those that meet point B: the hardest pulled.",
+        "The highest tension of the ropes at point B.",
         "N",
         &["B_tension_n"],
     ),
-    OverlaidCurve::new("ring-tension", "Ring ropes", "Their mean tension.", "N", &["ring_mean_n"]),
-    OverlaidCurve::new("radial-tension", "Radial ropes", "Their mean tension.", "N", &["radial_mean_n"]),
-    OverlaidCurve::new("tractor-speed", "Speed of the tractors", "Of the mean of them.", "m/s", &["tractor_speed_m_s"]),
-    OverlaidCurve::new(
+    OverlaidQuantity::new("ring-tension", "Ring ropes", "Their mean tension.", "N", &["ring_mean_n"]),
+    OverlaidQuantity::new("radial-tension", "Radial ropes", "Their mean tension.", "N", &["radial_mean_n"]),
+    OverlaidQuantity::new(
+        "tractor-speed",
+        "Speed of the tractors",
+        "Of their mean point.",
+        "m/s",
+        &["tractor_speed_m_s"],
+    ),
+    OverlaidQuantity::new(
         "tractor-travel",
         "Travel of the tractors",
         "Along the launch axis.",
         "m",
         &["tractor_travel_m"],
     ),
-    OverlaidCurve::new("b-speed", "Speed of point B", "The middle of the web's bottom.", "m/s", &["B_speed_m_s"]),
-    OverlaidCurve::new("b-travel", "Travel of point B", "Along the launch axis.", "m", &["B_travel_m"]),
-    OverlaidCurve::new("centre-travel", "Travel of the centre", "Along the launch axis.", "m", &["centre_travel_m"]),
-    OverlaidCurve::new(
+    OverlaidQuantity::new("b-speed", "Speed of point B", "The middle of the web's bottom.", "m/s", &["B_speed_m_s"]),
+    OverlaidQuantity::new("b-travel", "Travel of point B", "Along the launch axis.", "m", &["B_travel_m"]),
+    OverlaidQuantity::new("centre-travel", "Travel of the centre", "Along the launch axis.", "m", &["centre_travel_m"]),
+    OverlaidQuantity::new(
         "posture",
         "Posture",
-        "Below 0 the middle trails the outline, above it leads.",
+        "Below 0 the middle trails the outline; above 0 it leads.",
         "",
         &["posture"],
     ),
-    OverlaidCurve {
+    OverlaidQuantity {
         factor: 180.0 / std::f64::consts::PI,
-        ..OverlaidCurve::new(
+        ..OverlaidQuantity::new(
             "tilt",
             "Tilt of the mouth",
             "Between the outline's vector area and the axis.",
@@ -86,17 +98,17 @@ const CURVES: [OverlaidCurve; 17] = [
             &["mouth_tilt_rad"],
         )
     },
-    OverlaidCurve::new(
+    OverlaidQuantity::new(
         "asymmetry",
         "Asymmetry of the mouth",
-        "How unevenly the corners stand out.",
+        "Spread of the corners' distances from the middle.",
         "",
         &["mouth_asymmetry"],
     ),
-    OverlaidCurve::new(
+    OverlaidQuantity::new(
         "energy",
         "Mechanical energy",
-        "Kinetic, elastic and gravity together: what damping has left.",
+        "Sum of kinetic, elastic and gravity energy.",
         "J",
         &["energy_kinetic_j", "energy_elastic_j", "energy_gravity_j"],
     ),
@@ -105,61 +117,69 @@ const CURVES: [OverlaidCurve; 17] = [
 /// Time, s, and value.
 type Points = Vec<(f64, Option<f64>)>;
 
-/// The curves of all designs, by quantity.
+/// The curves of all designs.
 #[derive(Default)]
 pub(crate) struct Overlay {
-    /// Place of the quantity, place of the design, curve.
-    curves: Vec<(usize, usize, Points)>,
+    curves: Vec<DesignCurve>,
+}
+
+/// The curve of a quantity for one design.
+struct DesignCurve {
+    /// Index into [`QUANTITIES`].
+    quantity: usize,
+    /// Index of the design in the comparison.
+    design: usize,
+    points: Points,
 }
 
 impl Overlay {
-    /// Takes a design in.
+    /// Adds the curves of a design, given its index in the comparison.
     pub(crate) fn add(&mut self, design: usize, results: &Results) {
         let Some(time) = results.column("time_s") else { return };
-        for (place, quantity) in CURVES.iter().enumerate() {
+        for (index, quantity) in QUANTITIES.iter().enumerate() {
             let Some(columns) = quantity.columns.iter().map(|name| results.column(name)).collect::<Option<Vec<_>>>()
             else {
                 continue;
             };
             let value = |row: usize| columns.iter().map(|column| column[row]).sum::<Option<f64>>();
             let points = (0..time.len()).filter_map(|row| Some((time[row]?, value(row).map(|v| quantity.factor * v))));
-            self.curves.push((place, design, thinned(points.collect())));
+            self.curves.push(DesignCurve { quantity: index, design, points: thinned(points.collect()) });
         }
     }
 }
 
 /// A figure of the page.
 pub(crate) struct OverlayFigure<'o> {
-    quantity: &'static OverlaidCurve,
+    quantity: &'static OverlaidQuantity,
     scale: Scale,
-    /// Place of the design, and its curve.
-    curves: Vec<(usize, &'o Points)>,
+    /// In the order of the designs.
+    curves: Vec<&'o DesignCurve>,
 }
 
-/// The figures that any design has a curve for.
+/// The figures with a curve of at least one design.
 pub(crate) fn overlays(overlay: &Overlay) -> Vec<OverlayFigure<'_>> {
-    let figure = |(place, quantity): (usize, &'static OverlaidCurve)| {
-        let own = overlay.curves.iter().filter(|(known, ..)| *known == place);
-        let mut curves: Vec<(usize, &Points)> = own.map(|(_, design, points)| (*design, points)).collect();
-        curves.sort_by_key(|(design, _)| *design);
-        let values = curves.iter().flat_map(|(_, points)| points.iter()).filter_map(|(_, value)| *value);
+    let figure = |(index, quantity): (usize, &'static OverlaidQuantity)| {
+        let mut curves: Vec<&DesignCurve> = overlay.curves.iter().filter(|curve| curve.quantity == index).collect();
+        curves.sort_by_key(|curve| curve.design);
+        let values = curves.iter().flat_map(|curve| &curve.points).filter_map(|(_, value)| *value);
         let largest = values.fold(0.0, |largest, value: f64| value.abs().max(largest));
         let has_prefix = matches!(quantity.unit, "N" | "J");
         let scale = Scale::fitting(if has_prefix { largest } else { 0.0 }, quantity.unit);
         (!curves.is_empty()).then_some(OverlayFigure { quantity, scale, curves })
     };
-    CURVES.iter().enumerate().filter_map(figure).collect()
+    QUANTITIES.iter().enumerate().filter_map(figure).collect()
 }
 
 impl OverlayFigure<'_> {
-    /// Where the page draws it.
+    /// The HTML element that the page draws the figure in.
     pub(crate) fn frame(&self) -> String {
         figure_frame(self.quantity.title, self.quantity.note, self.quantity.id)
     }
 
-    /// The figure as `charts.js` takes it, with the designs' names and places in the palette.
+    /// The figure as `charts.js` reads it, with the designs' names and places in the palette.
     pub(crate) fn json(&self, designs: &[Design]) -> Value {
-        let curve = |(design, points): &(usize, &Points)| {
+        let curve = |curve: &&DesignCurve| {
+            let DesignCurve { design, points, .. } = curve;
             let value = |value: &Option<f64>| value.map(|value| six_digits(value / self.scale.divisor));
             json!({
                 "name": designs[*design].name,

@@ -1,8 +1,8 @@
-//! A comparison as one HTML page that works offline: what differs, one table, replays in step, curves over each other.
+//! A comparison as one HTML page that works offline: differing inputs, results, replays on one clock, overlaid curves.
 //!
 //! ```text
 //!  summary.json of the comparison ──▶ tables   differences and results ─┐
-//!  history.csv of each design     ──▶ figures  a curve a design         ├─▶ report.html
+//!  history.csv of each design     ──▶ figures  one curve for each       ├─▶ report.html
 //!  fields.vtkhdf of each design   ──▶ replay   all on one clock        ─┘
 //! ```
 //!
@@ -27,7 +27,7 @@ use crate::page::{CHARTS, fill, library, provenance};
 use crate::replay::{self, replay};
 use crate::results::Results;
 
-const FRAME: &str = include_str!("compare.html");
+const TEMPLATE: &str = include_str!("compare.html");
 const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("compare.css"));
 const SCRIPT: &str = include_str!("compare.js");
 
@@ -44,7 +44,7 @@ pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
     let mut replays = String::new();
     let mut notes = Vec::new();
     for (index, design) in designs.iter().enumerate() {
-        // one at a time: the fields of a dozen designs need not be in memory together
+        // read one design at a time: the fields of a dozen do not fit in memory together
         let results = Results::read(&comparison_dir.join(&design.folder))?;
         overlay.add(index, &results);
         let name = &design.name;
@@ -55,26 +55,27 @@ pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
                 notes.extend(packed.thinned.map(|thinned| format!("{name}: {thinned}")));
             }
             None => {
-                notes.push(format!("{name}: its folder holds no fields or landmarks, so there is no replay of it."))
+                notes.push(format!("{name}: its folder holds no fields or landmarks, so it cannot be replayed."));
             }
         }
     }
-    let parts = Parts { comparison: &comparison, manifest: &manifest, replays, notes };
+    let page = Page { comparison: &comparison, manifest: &manifest, replays, notes };
     let path = comparison_dir.join(folder::REPORT);
-    fs::write(&path, parts.html(&overlay)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
+    fs::write(&path, page.html(&overlay)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
     Ok(path)
 }
 
-struct Parts<'c> {
+/// The contents of the page, besides the figures.
+struct Page<'c> {
     comparison: &'c Comparison,
     manifest: &'c Manifest,
     /// Elements that hold the packed runs.
     replays: String,
-    /// What of the replays is not shown.
+    /// What the replays leave out, and designs without a replay.
     notes: Vec<String>,
 }
 
-impl Parts<'_> {
+impl Page<'_> {
     fn html(&self, overlay: &Overlay) -> String {
         let designs = &self.comparison.designs;
         let figures = overlays(overlay);
@@ -85,7 +86,7 @@ impl Parts<'_> {
             "figures": figures.iter().map(|figure| figure.json(designs)).collect::<Vec<_>>(),
         });
         fill(
-            FRAME,
+            TEMPLATE,
             &[
                 ("title", escape(&self.comparison.title)),
                 ("style", STYLE.into()),
@@ -110,7 +111,7 @@ impl Parts<'_> {
         )
     }
 
-    /// The designs that failed, with why.
+    /// The designs that failed or stopped early, each with the reason.
     fn failures(&self) -> String {
         let told: String = self
             .comparison
@@ -123,7 +124,7 @@ impl Parts<'_> {
                     (None, false) => "its run stopped before its end".into(),
                     (None, true) => return None,
                 };
-                Some(format!("<li><b>{name}</b>: {why}. It is shown as far as it came, and is never the best.</li>\n"))
+                Some(format!("<li><b>{name}</b>: {why}. It is shown up to there and never marked best.</li>\n"))
             })
             .collect();
         if told.is_empty() { told } else { format!("<aside class=\"warnings\"><h2>Mind</h2><ul>{told}</ul></aside>") }
@@ -132,7 +133,7 @@ impl Parts<'_> {
     fn source(&self) -> String {
         match &self.comparison.reported {
             Some(source) => format!(
-                "<p>Reported: {}. Beside each number, by how much the design's own lies above or below it.</p>",
+                "<p>Reported: {}. The percentage is the deviation of the design's own number from the reported one.</p>",
                 escape(source)
             ),
             None => String::new(),
@@ -159,7 +160,7 @@ fn card(index: usize, design: &Design) -> String {
     )
 }
 
-/// Where a design is replayed.
+/// The HTML element that a design is replayed in.
 fn stage(index: usize, design: &Design) -> String {
     let name = escape(&design.name);
     format!(
@@ -178,10 +179,10 @@ pub(crate) fn swatch(index: usize) -> String {
     )
 }
 
-/// How the curves of successive designs are broken, as SVG has it; `compare.css` has the same for the keys of figures.
+/// Dash patterns of the curves of successive designs, in SVG; `compare.css` has the same for the keys of figures.
 const DASHES: [&str; 4] = ["none", "9 4", "3 3", "11 3 3 3"];
 
-/// A folder's name as part of an address.
+/// A folder's name encoded for a URL.
 fn percent_encoded(name: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b'.' | b'~');
     name.bytes()
@@ -194,7 +195,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_address_has_no_odd_letters() {
+    fn special_characters_of_a_folder_name_are_percent_encoded() {
         assert_eq!(percent_encoded("space_web-2.5"), "space_web-2.5");
         assert_eq!(percent_encoded("a \"b\"/µ"), "a%20%22b%22%2F%C2%B5");
     }

@@ -1,4 +1,4 @@
-//! The tables of a comparison: what differs in the inputs, and what came out, with the best of each row marked.
+//! The tables of a comparison: the inputs that differ, and the results with the best of each row marked.
 
 use netcast_results::comparison::Row;
 use netcast_results::{Better, Comparison};
@@ -7,10 +7,10 @@ use serde_json::{Map, Value};
 use super::swatch;
 use crate::format::{Scale, duration, escape, grouped, percent, significant};
 
-/// What stands where a design has no such thing.
+/// The cell of a quantity that a design lacks.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
 
-/// The inputs that differ, a row an input.
+/// The inputs that differ, one row each.
 pub(crate) fn differences(comparison: &Comparison) -> String {
     let rows = &comparison.differences;
     if rows.is_empty() {
@@ -32,14 +32,14 @@ pub(crate) fn differences(comparison: &Comparison) -> String {
     table("inputs", &format!("<th scope=\"col\">Input</th>{heads}"), &body)
 }
 
-/// The quantities that a designer looks for first, and all that something is reported of.
+/// The quantities that a designer looks for first, and all with a reported value.
 pub(crate) fn headlines(comparison: &Comparison) -> String {
     let is_wanted = |row: &&Row| row.headline || !row.reported.is_empty();
     let rows: Vec<&Row> = comparison.table.iter().filter(is_wanted).collect();
     results(comparison, &rows)
 }
 
-/// All quantities, a table a group.
+/// All quantities, one table for each group.
 pub(crate) fn all_quantities(comparison: &Comparison) -> String {
     let groups = comparison.table.chunk_by(|one, other| one.group == other.group);
     groups
@@ -51,7 +51,7 @@ pub(crate) fn all_quantities(comparison: &Comparison) -> String {
         .collect()
 }
 
-/// A table of results. A design that anything in the comparison is reported of has a second column for it.
+/// A table of results. A design with any reported value has a second column for those.
 fn results(comparison: &Comparison, rows: &[&Row]) -> String {
     let reported: Vec<bool> = designs(comparison).map(|design| is_reported(rows, design)).collect();
     let heads: String = designs(comparison)
@@ -65,10 +65,12 @@ fn results(comparison: &Comparison, rows: &[&Row]) -> String {
     table("results", &format!("<th scope=\"col\">Quantity</th>{heads}"), &body)
 }
 
+/// Whether any of the rows has a reported value of a design.
 fn is_reported(rows: &[&Row], design: &str) -> bool {
     rows.iter().any(|row| row.reported.get(design).is_some_and(|value| !value.is_null()))
 }
 
+/// A row of the table of results; `reported` says for each design whether it has a second column.
 fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     let display = Display::of(row);
     let cells: String = designs(comparison)
@@ -107,7 +109,7 @@ fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     )
 }
 
-/// How the values of a row are written: all in one unit, so that they can be compared at a glance.
+/// The format of the values of a row: one unit for all, so that they compare at a glance.
 struct Display {
     unit: String,
     write: Box<dyn Fn(f64) -> String>,
@@ -138,7 +140,7 @@ impl Display {
         }
     }
 
-    /// The value of a design among those of a row; none where it has none.
+    /// A design's value in a row as text; none where it has no value.
     fn text(&self, values: &Map<String, Value>, design: &str) -> Option<String> {
         match values.get(design)? {
             Value::Number(number) => number.as_f64().map(&self.write),
@@ -149,7 +151,7 @@ impl Display {
     }
 }
 
-/// By how much a design lies above or below a reported number.
+/// The deviation from a reported number, given in percent.
 fn deviation(percent: f64) -> String {
     match percent {
         near if near.abs() < 0.05 => "±0 %".into(),
@@ -158,11 +160,11 @@ fn deviation(percent: f64) -> String {
     }
 }
 
-/// A quantity in the unit of the trade: a resolved scenario has `90000000000 Pa` and `1.5707963267948966 rad`.
+/// A quantity in the unit that engineers use: a resolved scenario has `90000000000 Pa` and `1.5707963267948966 rad`.
 fn readable(text: &str) -> String {
     let in_unit = |factor: f64, unit: &str| {
         let number: f64 = text.split_once(' ')?.0.parse().ok()?;
-        // twelve digits: a turn of rounding is not an input
+        // twelve digits hide the rounding error of the conversion
         let number: f64 = format!("{:.11e}", number * factor).parse().ok()?;
         Some(format!("{number} {unit}"))
     };
@@ -175,7 +177,7 @@ fn readable(text: &str) -> String {
     read.unwrap_or_else(|| text.replace("^2", "²").replace("^3", "³"))
 }
 
-/// An input as a person reads it.
+/// An input as text; none where it is null.
 fn input(value: &Value) -> Option<String> {
     match value {
         Value::Null => None,
@@ -192,7 +194,7 @@ fn designs(comparison: &Comparison) -> impl Iterator<Item = &str> {
 }
 
 fn head(index: usize, name: &str) -> String {
-    // a long name may be broken at its joints
+    // allow a line break after each underscore and hyphen of a long name
     let name = escape(name).replace('_', "_<wbr>").replace('-', "-<wbr>");
     format!("<th scope=\"col\">{}{name}</th>", swatch(index))
 }

@@ -1,9 +1,9 @@
-// Figures over time in the colours of the reader's theme: their time axes together, a cursor that follows a clock.
+// Charts over time in the colours of the reader's theme. They share one time axis and one cursor.
 
 /**
- * The figures of the page, each an element with a `.plot` of its identity within `.chart`, and a `.key` beside that.
+ * The figures of the page. The element of each holds a `.chart` with a `.plot` of the figure's id, and a `.key`.
  *
- * `show()` draws them, `setTime(s)` moves the cursors, `onSeek(callback)` tells when a reader asks for a time.
+ * `show()` draws them, `setTime(s)` moves the cursors, `onSeek(callback)` calls back with the time that a reader picks.
  */
 class Charts {
   static CURVES = 8;
@@ -21,10 +21,10 @@ class Charts {
     this.following = false;
   }
 
-  /** Draws the figures one after the other, so that the page answers in between. */
+  /** Draws the figures one by one and lets the page respond in between. */
   async show() {
     const pause = () => new Promise((resume) => setTimeout(resume));
-    // reading the library takes longest of all: by now the page can be read
+    // show the page first: parsing the library takes longest of all
     await pause();
     const library = document.createElement("script");
     library.textContent = document.getElementById("library").textContent;
@@ -37,18 +37,18 @@ class Charts {
     }
   }
 
-  /** Draws all of them anew, in the colours that hold now. */
+  /** Redraws the drawn figures in the current colours. */
   redraw() {
-    this.charts.filter(({ drawn }) => drawn).forEach((chart) => this.draw(chart));
+    for (const chart of this.charts.filter(({ drawn }) => drawn)) this.draw(chart);
   }
 
-  /** Draws anew when the reader's theme changes, and in ink on white, with all that is folded up opened, for paper. */
+  /** Redraws when the reader's theme changes; for print, redraws in ink on white and opens all folded parts. */
   followReader() {
     const { classList } = document.documentElement;
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
     addEventListener("beforeprint", () => {
       classList.add("paper");
-      document.querySelectorAll("details").forEach((details) => { details.open = true; });
+      for (const details of document.querySelectorAll("details")) details.open = true;
       this.redraw();
     });
     addEventListener("afterprint", () => { classList.remove("paper"); this.redraw(); });
@@ -58,13 +58,15 @@ class Charts {
     this.seekers.push(callback);
   }
 
-  /** The time at which all cursors stand, s. */
+  /** Moves all cursors to a time, s. */
   setTime(time) {
     this.time = time;
-    this.charts.filter(({ visible }) => visible).forEach((chart) => this.place(chart));
-    // what is out of sight follows once the clock rests
+    for (const chart of this.charts.filter(({ visible }) => visible)) this.place(chart);
+    // charts out of sight follow once the clock stops
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => this.charts.filter(({ drawn }) => drawn).forEach((chart) => this.place(chart)), 200);
+    this.rest = setTimeout(() => {
+      for (const chart of this.charts.filter(({ drawn }) => drawn)) this.place(chart);
+    }, 200);
   }
 
   draw(chart) {
@@ -74,7 +76,7 @@ class Charts {
     chart.drawn = true;
   }
 
-  /** The page's own colours, so that page.css alone decides on them. */
+  /** The colours of the page, read from its style, so that only page.css defines them. */
   palette() {
     const style = getComputedStyle(document.documentElement);
     const colour = (name) => style.getPropertyValue(`--${name}`).trim();
@@ -91,7 +93,7 @@ class Charts {
       companion: { dash: "2px,2px", width: 1.3 },
     };
     const reference = curve.colour === null;
-    // past the palette's end colours come again, with another dash
+    // past the end of the palette, colours repeat with another dash
     const again = !reference && curve.colour >= Charts.CURVES && curve.style === "solid";
     return {
       type: "scatter", mode: "lines", name: curve.name, x: curve.x, y: curve.y, visible: !hidden.has(place),
@@ -135,16 +137,16 @@ class Charts {
     };
   }
 
-  /** The names of the curves and, beside each, its value at the cursor; a press hides the curve or brings it back. */
+  /** Fills the key: names of curves with their values at the cursor. A press hides a curve or shows it again. */
   makeKey(chart) {
     const { figure, plot, key, hidden } = chart;
     chart.values = [];
     const sizes = figure.curves.flatMap(({ y }) => y).map((value) => Math.abs(value ?? 0));
     const largest = sizes.reduce((most, size) => Math.max(most, size), 0);
-    // what no eye could tell from nothing in the figure is nothing beside it
+    // a value too small to be seen in the figure counts as 0
     chart.digits = (value) => String(Math.abs(value) < 1e-5 * largest ? 0 : Number(value.toPrecision(3)));
     figure.curves.forEach((curve, place) => {
-      // a companion comes and goes with the line before it
+      // a companion is shown and hidden with the line before it
       if (curve.style === "companion") return;
       const companion = figure.curves[place + 1]?.style === "companion" ? place + 1 : null;
       const places = companion === null ? [place] : [place, companion];
@@ -202,7 +204,7 @@ class Charts {
     plot.addEventListener("pointercancel", () => { pressed = null; });
   }
 
-  /** A stretch of time chosen in one figure is shown in all. */
+  /** Applies the time range that is chosen in one figure to all figures. */
   async keepTogether(chart, change) {
     const from = change["xaxis.range[0]"];
     const range = from !== undefined ? { "xaxis.range": [from, change["xaxis.range[1]"]] }
@@ -214,7 +216,7 @@ class Charts {
     this.following = false;
   }
 
-  /** Moves a figure's cursor and says what its curves are there. Nothing is laid out anew. */
+  /** Moves a figure's cursor and shows the values of its curves there, without a new layout. */
   place({ figure, plot, cursor, values, digits }) {
     const { xaxis, yaxis } = plot._fullLayout;
     const x = this.time === null ? -1 : xaxis.l2p(this.time);
@@ -229,13 +231,13 @@ class Charts {
     }
   }
 
-  /** The time nearest to this one of which a figure has a record. */
+  /** The record time of a figure nearest to `time`, s. */
   static recorded({ curves }, time) {
     const { x } = curves.find(({ colour }) => colour !== null) ?? curves[0];
     return x.reduce((nearest, one) => Math.abs(one - time) < Math.abs(nearest - time) ? one : nearest, x[0] ?? time);
   }
 
-  /** A curve's value at a time, between its points; null where it has none. */
+  /** A curve's value at a time, interpolated between its points; null where it has none. */
   static valueAt({ x, y }, time) {
     if (x.length === 0 || time < x[0] || time > x[x.length - 1]) return null;
     let from = 0, to = x.length - 1;

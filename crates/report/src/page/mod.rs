@@ -1,7 +1,8 @@
-//! The page: words, tables and figures put into one HTML file that fetches nothing.
+//! Puts words, tables and figures into one HTML file that fetches nothing.
 //!
-//! `page.html` is the frame, `page.css` how it looks on screen and paper. `charts.js` draws the figures, the replay's
-//! scripts the net, and `page.js` links the two. The charting library is plotly.js, which the `plotly` crate carries.
+//! `page.html` is the template and `page.css` its style for screen and paper. `charts.js` draws the figures, the
+//! replay's scripts draw the net, and `page.js` links the two. The charting library is plotly.js from the `plotly`
+//! crate.
 
 use netcast_results::{Manifest, OPEN_SHARE, Summary};
 use plotly::Plot;
@@ -15,22 +16,22 @@ use crate::results::Results;
 use crate::tables::{stowed, tables};
 use crate::words::{is_equilibrium, words};
 
-const FRAME: &str = include_str!("page.html");
+const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 pub(crate) const CHARTS: &str = include_str!("charts.js");
 const SCRIPT: &str = include_str!("page.js");
 
-const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: that takes fields.vtkhdf with a frame in it and \
-    landmarks.json, and this folder does not hold both.</p>\n";
+const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: a replay needs fields.vtkhdf with at least one \
+    frame, and landmarks.json. This folder does not hold both.</p>\n";
 
 /// The whole page.
 pub(crate) fn html(results: &Results) -> String {
     let summary = results.summary();
-    // of a single row there is no curve
+    // an equilibrium has a single record, which makes no curve
     let figures = if is_equilibrium(summary) { Vec::new() } else { figures(results) };
     let title = results.title();
     fill(
-        FRAME,
+        TEMPLATE,
         &[
             ("title", escape(title)),
             ("style", format!("{STYLE}{}{}", replay::STYLE, page_style())),
@@ -54,13 +55,16 @@ pub(crate) fn html(results: &Results) -> String {
     )
 }
 
-/// The frame with each `{{name}}` replaced. What is put in is not looked at again, so a title may hold braces.
-pub(crate) fn fill(frame: &str, parts: &[(&str, String)]) -> String {
-    let mut page = String::with_capacity(frame.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
-    let mut rest = frame;
+/// The template with each `{{name}}` replaced by its part. Parts are not searched again, so a title may hold braces.
+///
+/// # Panics
+/// Where the template has an unknown name or unclosed braces.
+pub(crate) fn fill(template: &str, parts: &[(&str, String)]) -> String {
+    let mut page = String::with_capacity(template.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
+    let mut rest = template;
     while let Some((before, after)) = rest.split_once("{{") {
-        let (name, after) = after.split_once("}}").expect("the frame closes its braces");
-        let (_, part) = parts.iter().find(|(known, _)| *known == name).expect("the frame names known parts");
+        let (name, after) = after.split_once("}}").expect("the template closes its braces");
+        let (_, part) = parts.iter().find(|(known, _)| *known == name).expect("the template names known parts");
         page.push_str(before);
         page.push_str(part);
         rest = after;
@@ -68,7 +72,7 @@ pub(crate) fn fill(frame: &str, parts: &[(&str, String)]) -> String {
     page + rest
 }
 
-/// A section of the page with a heading; none where it would be empty.
+/// A section of the page with a heading; empty text where `body` is empty.
 fn section(class: &str, title: &str, body: &str) -> String {
     if body.is_empty() {
         return String::new();
@@ -76,11 +80,11 @@ fn section(class: &str, title: &str, body: &str) -> String {
     format!("<section class=\"{class}\">\n<h2>{title}</h2>\n{body}</section>\n")
 }
 
-/// Where the replay is shown, and the run that it shows.
+/// The section of the replay: its element, and the packed run.
 fn replay_section(results: &Results) -> String {
     let Some(scene) = &results.scene else { return section("replay", "Replay", NO_SCENE) };
     let replay = replay(scene, "replay-data", BUDGET_BYTES);
-    let thinned = replay.thinned.map(|told| format!("<p class=\"hint\">{}</p>\n", escape(&told))).unwrap_or_default();
+    let thinned = replay.thinned.map(|note| format!("<p class=\"hint\">{}</p>\n", escape(&note))).unwrap_or_default();
     if replay.element.is_empty() {
         return section("replay", "Replay", &thinned);
     }
@@ -89,13 +93,13 @@ fn replay_section(results: &Results) -> String {
     section("replay", "Replay", &format!("{stage}{thinned}{}", replay.element))
 }
 
-/// The scenario as the run resolved it.
+/// The resolved scenario; empty text where the folder lacks it.
 fn inputs(results: &Results) -> String {
     if results.scenario.is_empty() {
         return String::new();
     }
     format!(
-        "<details><summary>The scenario, with all that it left open filled in</summary>\n<pre>{}</pre></details>\n",
+        "<details><summary>The scenario with all defaults filled in</summary>\n<pre>{}</pre></details>\n",
         escape(&results.scenario)
     )
 }
@@ -169,7 +173,7 @@ fn tiles(summary: &Summary) -> String {
         .collect()
 }
 
-/// Where a figure is drawn.
+/// The HTML element that a figure is drawn in.
 pub(crate) fn figure_frame(title: &str, note: &str, id: &str) -> String {
     format!(
         "<figure><figcaption><h3>{}</h3><p>{}</p></figcaption>\
@@ -200,13 +204,12 @@ pub(crate) fn provenance(netcast: &str, manifest: &Manifest) -> String {
         .collect()
 }
 
-/// The figures as JSON within a script element, where no `<` may stand.
+/// The figures as JSON for a script element, which must not contain `<`.
 fn data(figures: &[Figure]) -> String {
     Value::Array(figures.iter().map(Figure::json).collect()).to_string().replace('<', "\\u003c")
 }
 
-/// plotly.js as an element that `charts.js` runs once the page stands, without the typesetting of formulas that the
-/// crate puts after it.
+/// plotly.js as an element that `charts.js` runs once the page is shown. MathJax, which the crate appends, is left out.
 pub(crate) fn library() -> String {
     const START: &str = "<script type=\"text/javascript\">";
     const END: &str = "</script>";
@@ -221,7 +224,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_filled_in_is_not_filled_again() {
+    fn braces_within_a_part_are_not_filled() {
         let parts = [("title", "{{words}} & {{".to_owned()), ("words", "none".to_owned())];
         assert_eq!(fill("<h1>{{title}}</h1>{{words}}", &parts), "<h1>{{words}} & {{</h1>none");
     }

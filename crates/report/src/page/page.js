@@ -1,9 +1,9 @@
-// Brings curves and replay together: one time for both, the reader's theme, and white paper.
+// Links curves and replay to one time, and follows the reader's theme.
 (async () => {
   "use strict";
-  const held = document.getElementById("replay-data");
-  const decoded = held === null ? null : NetcastReplay.decode(held);
-  // a failure is told below
+  const packed = document.getElementById("replay-data");
+  const decoded = packed === null ? null : NetcastReplay.decode(packed);
+  // `replay` below reports a failure
   decoded?.catch(() => {});
 
   const charts = new Charts(JSON.parse(document.getElementById("figure-data").textContent));
@@ -26,12 +26,12 @@
     }
   }
 
-  /** Who seeks in a figure while the replay is out of sight gets it in a corner of the window, until it is in sight. */
+  /** Moves a replay that is out of sight into a corner of the window until its own place is in sight. */
   function popOut() {
     const stage = document.querySelector(".replay-stage"), card = stage.querySelector(".replay-card");
     const box = stage.getBoundingClientRect();
     if (card.classList.contains("floating") || (box.bottom > 120 && box.top < innerHeight - 120)) return;
-    // the page keeps its place
+    // keep the height, so that the page does not scroll
     stage.style.minHeight = `${box.height}px`;
     card.classList.add("floating");
     const close = document.createElement("button");
@@ -52,11 +52,11 @@
     seen.observe(stage);
   }
 
-  // what is seen first comes first
+  // the replay is at the top of the page
   const player = decoded === null ? null : await replay();
   performance.mark("replay");
   await charts.show();
   performance.mark("curves");
-  // for those who look into the page, and for its tests
+  // for the tests of the page, and for readers at the browser's console
   window.netcast = { player, charts };
 })();

@@ -1,8 +1,8 @@
 //! The launch in slow motion, as a GIF.
 //!
-//! The frames lie evenly in time, in one palette made beforehand: the colours of a rope at every degree of covering
-//! the paper. So a colour means the same in every frame, and nothing flickers. Only what changed since the frame
-//! before is stored.
+//! The frames are evenly spaced in time. They share one fixed palette: each rope colour at several degrees of cover
+//! over white. So a colour means the same in every frame, and nothing flickers. A frame stores only the rectangle that
+//! changed since the one before.
 
 use std::collections::HashMap;
 use std::num::NonZero;
@@ -27,27 +27,29 @@ use crate::results::Scene;
 /// Width and height, px.
 const SIZE: (u16, u16) = (640, 480);
 
-/// What the words above and the key below leave of the height, px.
+/// Height of the text above the net, px.
 const HEAD: f64 = 52.0;
+
+/// Height of the key below the net, px.
 const FOOT: f64 = 56.0;
 
-/// Frames up to which the animation goes.
+/// Most frames of an animation.
 const MOST_FRAMES: usize = 120;
 
-/// Time that each is shown, in hundredths of a second.
+/// Time that each frame is shown, hundredths of a second.
 const DELAY: u16 = 5;
 
-/// Where the whole flight is so much larger than the web that it would be drawn at less than this share of its size,
-/// the picture follows the web.
+/// The picture holds the whole flight if that draws the web at this share of its largest possible size or more; else it
+/// follows the web.
 const LEAST_SHARE: f64 = 0.4;
 
-/// The launch as a GIF file under a title.
+/// The launch as the bytes of a GIF file, with a title at the top.
 pub(crate) fn gif(scene: &Scene, title: &str) -> Vec<u8> {
     let frames = chosen_frames(scene);
     let film = Film::new(scene, title, &frames);
     let palette = Palette::new();
     let threads = thread::available_parallelism().map_or(1, NonZero::get).min(frames.len());
-    // each thread a stretch of the frames, put together in their order
+    // each thread draws one stretch of the frames; joining them in order keeps the order of time
     let images: Vec<Vec<u8>> = thread::scope(|scope| {
         let stretches = frames.chunks(frames.len().div_ceil(threads));
         let (film, palette) = (&film, &palette);
@@ -61,7 +63,7 @@ pub(crate) fn gif(scene: &Scene, title: &str) -> Vec<u8> {
     encode(&images, &palette.colours)
 }
 
-/// Frames that lie evenly in time.
+/// Indices of at most [`MOST_FRAMES`] frames, evenly spaced in time.
 fn chosen_frames(scene: &Scene) -> Vec<usize> {
     let count = scene.frames().min(MOST_FRAMES);
     let times = &scene.fields.times;
@@ -69,7 +71,7 @@ fn chosen_frames(scene: &Scene) -> Vec<usize> {
     (0..count).map(|place| scene.frame_at(from + (to - from) * place as f64 / (count - 1).max(1) as f64)).collect()
 }
 
-/// What is the same in every frame.
+/// What all frames of the animation share.
 struct Film<'a> {
     scene: &'a Scene,
     strands: Strands,
@@ -142,12 +144,12 @@ impl<'a> Film<'a> {
     }
 }
 
-/// The part of the frame that the net is drawn in, px.
+/// Width and height of the part of the frame that shows the net, px.
 fn picture_size() -> DVec2 {
     DVec2::new(SIZE.0.into(), f64::from(SIZE.1) - HEAD - FOOT)
 }
 
-/// How fast time goes by in it, in words.
+/// The playback speed in words.
 fn speed(scene: &Scene, frames: usize) -> String {
     let times = &scene.fields.times;
     let shown = frames as f64 * f64::from(DELAY) / 100.0;
@@ -159,24 +161,25 @@ fn speed(scene: &Scene, frames: usize) -> String {
     }
 }
 
-/// A ratio from 1 up: `2.4`, `10`, `120`.
+/// A ratio of at least 1: `2.4`, `10`, `120`.
 fn two_digits(ratio: f64) -> String {
     if ratio < 9.95 { format!("{ratio:.1}") } else { format!("{ratio:.0}") }
 }
 
-fn shortened(title: &str, most: usize) -> String {
-    if title.chars().count() <= most {
+/// A title of at most `length_max` characters, with an ellipsis where it is cut.
+fn shortened(title: &str, length_max: usize) -> String {
+    if title.chars().count() <= length_max {
         return title.to_owned();
     }
-    title.chars().take(most - 1).chain(['…']).collect()
+    title.chars().take(length_max - 1).chain(['…']).collect()
 }
 
-/// The colours of every frame.
+/// The colours that all frames share.
 struct Palette {
     colours: Vec<[u8; 3]>,
 }
 
-/// Degrees to which a colour covers the paper, besides not at all.
+/// Degrees of cover of a colour over white, not counting none.
 const DEGREES: usize = 14;
 
 impl Palette {
@@ -187,17 +190,18 @@ impl Palette {
         for colour in full {
             colours.extend((1..=DEGREES).map(|degree| over_white(colour, degree, DEGREES)));
         }
-        // the shaded outline and canopies, over each other
+        // the shaded outline and the canopies, which may overlap
         colours.extend((1..=20).map(|degree| over_white(light_rgb("--accent"), degree, 40)));
         Self { colours }
     }
 
-    /// The place in the palette of each pixel of an opaque picture; `known` keeps the colours met so far.
+    /// Palette index of each pixel of an opaque picture; `known` caches the colours found so far.
     fn indices(&self, picture: &Pixmap, known: &mut HashMap<[u8; 3], u8>) -> Vec<u8> {
         let index = |pixel: [u8; 3]| *known.entry(pixel).or_insert_with(|| self.nearest(pixel));
         picture.pixels().iter().map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).map(index).collect()
     }
 
+    /// Index of the nearest colour of the palette.
     fn nearest(&self, pixel: [u8; 3]) -> u8 {
         let distance = |colour: &[u8; 3]| -> u32 {
             colour.iter().zip(pixel).map(|(&one, other)| u32::from(one.abs_diff(other)).pow(2)).sum()
@@ -207,11 +211,12 @@ impl Palette {
     }
 }
 
+/// A colour that covers white by `degree / of`.
 fn over_white(colour: [u8; 3], degree: usize, of: usize) -> [u8; 3] {
     colour.map(|channel| (255 - (255 - usize::from(channel)) * degree / of) as u8)
 }
 
-/// Frames of places in a palette as a GIF that repeats for ever.
+/// Frames of palette indices as the bytes of a GIF that repeats without end.
 fn encode(images: &[Vec<u8>], palette: &[[u8; 3]]) -> Vec<u8> {
     let (width, height) = SIZE;
     let mut encoder = Encoder::new(Vec::new(), width, height, palette.as_flattened()).expect("memory takes everything");
@@ -233,7 +238,8 @@ fn encode(images: &[Vec<u8>], palette: &[[u8; 3]]) -> Vec<u8> {
     encoder.into_inner().expect("memory takes everything")
 }
 
-/// The columns and rows that hold all that differs; one pixel where nothing does, since a frame cannot be empty.
+/// The columns and rows of the smallest rectangle with every changed pixel. Where none changed it is one pixel, since a
+/// frame must not be empty.
 fn changed(before: &[u8], image: &[u8]) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
     let width = usize::from(SIZE.0);
     let differs = |row: usize| before[row * width..][..width] != image[row * width..][..width];

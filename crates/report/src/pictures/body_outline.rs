@@ -1,15 +1,15 @@
-//! The outline of a rigid body as a camera sees it.
+//! The outline of a rigid body in the camera's plane.
 
 use glam::{DQuat, DVec2, DVec3};
 use netcast_results::BodyShape;
 
 use super::camera::Camera;
 
-/// Corners of the polygon that stands for a circle.
+/// Corners of the polygon that approximates a circle.
 const SIDES: u32 = 24;
 
-/// What a body that is turned so covers of the camera's plane, about its centre: the corners of a convex polygon, m,
-/// anticlockwise.
+/// The projection of a body with an orientation: the corners of a convex polygon about the body's centre, m,
+/// anticlockwise. Empty for a particle.
 pub(crate) fn outline(shape: &BodyShape, orientation: DQuat, camera: &Camera) -> Vec<DVec2> {
     let half = 0.5 * DVec3::from_array(shape.size_m());
     let round = |side: u32| {
@@ -44,7 +44,7 @@ fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
             }
             chain.push(point);
         }
-        // its last point is the first of the other
+        // the last point of each chain is the first of the other
         chain.pop();
         chain
     };
@@ -63,10 +63,10 @@ mod tests {
         0.5 * polygon.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum::<f64>()
     }
 
-    /// The mean shadow of a convex body over all directions is a quarter of its surface (Cauchy).
+    /// Cauchy: the projected area of a convex body, averaged over all directions, is a quarter of its surface.
     #[test]
-    fn outlines_have_the_area_that_cauchy_says() {
-        // from ahead of a launch along z
+    fn the_mean_area_of_an_outline_is_a_quarter_of_the_surface() {
+        // the camera looks back along z
         let camera = Camera::new(View::Ahead, DVec3::Z);
         let shapes = [
             (BodyShape::Box { size_m: [1.0, 2.0, 3.0] }, 22.0),

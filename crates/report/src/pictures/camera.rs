@@ -1,15 +1,15 @@
-//! Where a net is looked at from.
+//! The directions that pictures of a net are drawn from.
 //!
-//! Every picture is orthographic: a metre has one length all over it, so that a scale bar holds and sizes compare.
+//! Every projection is orthographic: a metre has the same length all over a picture, so that a scale bar holds.
 
 use glam::{DVec2, DVec3};
 
-/// A direction to look from.
+/// A viewing direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum View {
     /// From the side, the launch axis up. The line of sight is level; for a vertical launch it runs along world y.
     Side,
-    /// As from the side, but 16° around the axis and raised by 23° towards where the web flies.
+    /// As [`View::Side`], turned by 16° around the axis and raised by 23° towards the direction of flight.
     ThreeQuarter,
     /// From ahead, back along the launch axis.
     Ahead,
@@ -22,15 +22,16 @@ pub(crate) struct Camera {
     up: DVec3,
 }
 
-/// Sine and cosine of the angle around the axis, 16.3°, and of that above the plane, 22.6°. Pythagorean, so that a
-/// picture is the same to the bit on every machine.
+/// Sine and cosine of the angle around the axis, 16.3°. Rational, so that pictures are the same on all machines.
 const AROUND: (f64, f64) = (7.0 / 25.0, 24.0 / 25.0);
+
+/// Sine and cosine of the angle above the plane normal to the axis, 22.6°, rational too.
 const RAISED: (f64, f64) = (5.0 / 13.0, 12.0 / 13.0);
 
 impl Camera {
     /// A camera for a launch along `axis`, a unit vector.
     pub fn new(view: View, axis: DVec3) -> Self {
-        // from the side: towards the viewer is level, and -y where the axis is vertical
+        // the direction from the side towards the viewer is level, and -y where the axis is vertical
         let toward = DVec3::Z.cross(axis).try_normalize().map_or(DVec3::NEG_Y, |level| -level);
         let right = axis.cross(toward);
         match view {
@@ -43,7 +44,7 @@ impl Camera {
         }
     }
 
-    /// Where a point is seen: to the right and up, m.
+    /// A point in the camera's plane: right and up, m.
     pub fn project(&self, point: DVec3) -> DVec2 {
         DVec2::new(self.right.dot(point), self.up.dot(point))
     }
@@ -54,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cameras_stand_square() {
+    fn the_directions_of_a_camera_are_orthonormal() {
         for axis in [DVec3::Z, DVec3::X, DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.48, 0.64, 0.6), DVec3::NEG_Z] {
             for view in [View::Side, View::ThreeQuarter, View::Ahead] {
                 let Camera { right, up } = Camera::new(view, axis);
@@ -72,10 +73,10 @@ mod tests {
             assert!(seen.x.abs() < 1e-15 && (seen.y - 12.0 / 13.0).abs() < 1e-15, "{seen}");
             assert!(Camera::new(View::Ahead, axis).project(axis).length() < 1e-15);
         }
-        // from the side of a vertical launch, x runs to the right; from ahead, y runs up
+        // for a vertical launch, x points right from the side and y points up from ahead
         assert_eq!(Camera::new(View::Side, DVec3::Z).project(DVec3::X), DVec2::X);
         assert_eq!(Camera::new(View::Ahead, DVec3::Z).project(DVec3::Y), DVec2::Y);
-        // what is nearer to a raised viewer is seen lower
+        // a point nearer to a raised viewer is lower in the picture
         assert!(Camera::new(View::ThreeQuarter, DVec3::Z).project(DVec3::NEG_Y).y < 0.0);
     }
 }

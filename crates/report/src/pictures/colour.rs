@@ -1,12 +1,12 @@
-//! The colours of tension: a map that stands on light and on dark paper, and the bins that it is cut into.
+//! The colours of tension: a colour map for light and dark pages, cut into bins.
 //!
-//! Rope tensions of one launch span five decades, a jerk of 100 kN and a rest of 1 N, so that a linear scale would
-//! show one colour. The bins go up by 1, 2, 5, 10: four decades in twelve colours, with round numbers between them.
+//! Rope tensions of one launch span five decades, from 1 N to a peak of 100 kN, so a linear scale would show one
+//! colour. The limits of the bins are 1, 2, 5, 10, …: twelve colours cover four decades.
 
 use super::series;
 
-/// The map from low to high. Made in OKLCH with rising lightness, from blue to orange by way of magenta: told apart by
-/// every kind of colour vision, in grey, and at a contrast of at least 2.6 on white and on the page's dark card.
+/// The colour map from low to high, blue to magenta to orange. Lightness rises in OKLCH, so that the colours differ for
+/// every kind of colour vision and in grey. The contrast is at least 2.6 on white and on the page's dark card.
 const STOPS: [[u8; 3]; 9] = [
     [0x19, 0x57, 0xd2],
     [0x5d, 0x51, 0xd9],
@@ -19,16 +19,16 @@ const STOPS: [[u8; 3]; 9] = [
     [0xf6, 0x80, 0x01],
 ];
 
-/// How many colours tension is shown in.
+/// Number of bins of tension, one colour each.
 pub(crate) const BINS: usize = 12;
 
-/// Below that a rope is slack, N: it hangs straight, and what it bears is rounding of its length.
+/// A rope is slack below this tension, N: so small a value is the rounding error of a length.
 pub(crate) const SLACK_BELOW: f64 = 1e-6;
 
 /// The bins of tension that a set of pictures shares.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TensionScale {
-    /// Limits of the bins, N, rising.
+    /// Limits of the bins, N, ascending.
     edges: [f64; BINS + 1],
 }
 
@@ -39,13 +39,13 @@ impl TensionScale {
         Self { edges: std::array::from_fn(|bin| series::number(top - (BINS - bin) as i32)) }
     }
 
-    /// The bin of a tension in N; none for a slack rope. What lies beyond the ends is in the end bins.
+    /// The bin of a tension, N; none for a slack rope. Tensions beyond the limits are in the end bins.
     pub fn bin(&self, tension: f64) -> Option<usize> {
         let passed = self.edges[1..BINS].iter().filter(|&&edge| tension >= edge).count();
         (tension >= SLACK_BELOW).then_some(passed)
     }
 
-    /// Limits of the bins, N, rising.
+    /// Limits of the bins, N, ascending.
     pub fn edges(&self) -> &[f64] {
         &self.edges
     }
@@ -53,7 +53,7 @@ impl TensionScale {
 
 /// The colour of a bin, as red, green and blue.
 pub(crate) fn bin_colour(bin: usize) -> [u8; 3] {
-    // between two stops in whole numbers
+    // interpolate in whole numbers
     let (below, between) = (bin * (STOPS.len() - 1) / (BINS - 1), bin * (STOPS.len() - 1) % (BINS - 1));
     let above = (below + 1).min(STOPS.len() - 1);
     let mix = |channel: usize| {
@@ -73,14 +73,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bins_at_their_limits() {
+    fn a_limit_belongs_to_the_bin_above_it() {
         let scale = TensionScale::up_to(97_338.9);
         let edges = [10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5];
         assert_eq!(scale.edges(), edges);
         assert_eq!(scale.bin(0.0), None);
         assert_eq!(scale.bin(-1.0), None);
         assert_eq!(scale.bin(f64::NAN), None);
-        // a limit belongs to the bin above it
         for (bin, &edge) in edges.iter().enumerate().take(BINS) {
             assert_eq!(scale.bin(edge), Some(bin));
             assert_eq!(scale.bin(edge * (1.0 - 1e-15)), Some(bin.saturating_sub(1)));
@@ -92,15 +91,15 @@ mod tests {
     }
 
     #[test]
-    fn the_top_is_the_next_round_number() {
+    fn the_scale_ends_at_the_next_round_number() {
         let top = |largest: f64| TensionScale::up_to(largest).edges()[BINS];
         assert_eq!([top(1.0), top(1.01), top(2.5), top(500.0), top(131_993.0)], [1.0, 2.0, 5.0, 500.0, 200_000.0]);
-        // a net that bears nothing has a scale too
+        // a net without tension has a scale too
         assert!(top(0.0) > 0.0);
     }
 
     #[test]
-    fn the_map_begins_and_ends_with_its_stops_and_never_repeats() {
+    fn the_bins_begin_and_end_at_the_stops_and_neighbours_differ() {
         assert_eq!(bin_colour(0), STOPS[0]);
         assert_eq!(bin_colour(BINS - 1), STOPS[8]);
         for bin in 1..BINS {

@@ -10,7 +10,7 @@ use crate::figures::{Curve, Figure, Style};
 /// Width and height of a figure, px.
 const SIZE: (u32, u32) = (900, 480);
 
-/// `plotters` draws on whole pixels: a finer grid, shrunk by the file's own size, keeps curves smooth.
+/// `plotters` rounds to whole pixels. Curves stay smooth because the drawing is this many times larger than the file.
 const FINE: i32 = 4;
 
 /// Room on the right for the names of the curves, px.
@@ -102,13 +102,13 @@ fn draw_legend<'a>(figure: &Figure, area: &Canvas<'a>) -> Drawn<'a> {
     Ok(())
 }
 
-/// How a curve is drawn: its line, and the lengths of dashes and gaps, px.
+/// The style of a curve's line, and the lengths of its dashes and gaps, px.
 fn look(curve: &Curve) -> (ShapeStyle, Option<(i32, i32)>) {
     let colour = curve.colour.map_or(colour("--soft"), |place| colour(&format!("--curve-{}", place % PALETTE)));
-    // past the palette's end colours come again, with dashes
-    let again = curve.colour.is_some_and(|place| place >= PALETTE);
+    // past the end of the palette, colours repeat with dashes
+    let is_repeated = curve.colour.is_some_and(|place| place >= PALETTE);
     let (tenths, dash) = match curve.style {
-        Style::Line if again => (13, Some((9, 2))),
+        Style::Line if is_repeated => (13, Some((9, 2))),
         Style::Line => (13, None),
         Style::Dashed => (13, Some((6, 4))),
         Style::Companion => (11, Some((2, 2))),
@@ -116,7 +116,7 @@ fn look(curve: &Curve) -> (ShapeStyle, Option<(i32, i32)>) {
     (colour.stroke_width((tenths * FINE as u32).div_ceil(10)), dash)
 }
 
-/// The spans of time and of values; zero is among the values, and they end above the highest.
+/// The ranges of time and of values; that of values holds zero and ends above the highest.
 fn ranges(figure: &Figure) -> ((f64, f64), (f64, f64)) {
     let points = || figure.curves.iter().flat_map(|curve| &curve.points);
     let span = |numbers: &mut dyn Iterator<Item = f64>| {
@@ -126,20 +126,20 @@ fn ranges(figure: &Figure) -> ((f64, f64), (f64, f64)) {
     let (least, most) = span(&mut points().filter_map(|(_, value)| *value).chain([0.0]));
     let room = 0.05 * (most - least);
     let below = if least < 0.0 { least - room } else { 0.0 };
-    // one moment, or nothing but zero, still needs a span
+    // a range of no length cannot be drawn
     let end = |from: f64, to: f64| if to > from { to } else { from + 1.0 };
     ((from, end(from, to)), (below, end(below, most + room)))
 }
 
-/// A number on an axis, without the digits that a sum of tenths leaves behind.
+/// A number on an axis, without the rounding error of sums of tenths.
 fn tick(value: f64) -> String {
     let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
-    // an axis through zero may miss it by the last bit
+    // the tick at zero may be off by a rounding error
     if rounded.abs() < 1e-12 { "0".into() } else { rounded.to_string() }
 }
 
 fn text(px: i32) -> TextStyle<'static> {
-    // the backend writes sizes smaller by this factor
+    // the backend divides font sizes by this factor
     ("sans-serif", 1.24 * f64::from(fine(px))).into_font().color(&colour("--ink"))
 }
 
@@ -157,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_on_axes_are_plain() {
+    fn numbers_on_axes_have_no_rounding_errors() {
         assert_eq!([0.1 + 0.2, 0.0, 1e-17, -2.5, 20_000.0].map(tick), ["0.3", "0", "0", "-2.5", "20000"]);
     }
 }

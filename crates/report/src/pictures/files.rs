@@ -1,4 +1,4 @@
-//! The folder of pictures, written aside and swapped in when it is complete.
+//! Writes the folder of pictures under a temporary name and renames it when it is complete.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io, process};
@@ -10,25 +10,25 @@ use crate::ReportError;
 use crate::figures::figures;
 use crate::results::Results;
 
-/// Pixels of a PNG for each of its SVG: sharp in print.
+/// Pixels of a PNG for each pixel of its SVG, for sharp prints.
 const ZOOM: f32 = 2.0;
 
-/// Writes the pictures of a result folder into its folder `pictures`, in place of those there, and returns their paths:
-/// `postures`, `clouds` (of tension), `stowed` and each curve as SVG and PNG, and `animation.gif`. The same result
-/// gives the same bytes.
+/// Writes the pictures of a result folder into its folder `pictures` and returns their paths: `postures`, `clouds` (of
+/// tension), `stowed` and each curve as SVG and PNG, and `animation.gif`. They replace all older pictures. The same
+/// result gives the same bytes.
 ///
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written; [`ReportError::NoFields`] where the
-/// result does not hold where everything was. Pictures that were there before stay then.
+/// result holds no frames or no landmarks. Older pictures then stay.
 pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let results = Results::read(result_dir)?;
     let scene = results.scene.as_ref().ok_or_else(|| no_fields(result_dir))?;
     let title = results.title();
 
-    let aside = Aside::create(result_dir)?;
+    let new_pictures = NewPictures::create(result_dir)?;
     let mut names = Vec::new();
     let mut write = |name: String, bytes: &[u8]| {
-        let path = aside.path.join(&name);
+        let path = new_pictures.path.join(&name);
         names.push(name);
         fs::write(&path, bytes).map_err(|source| ReportError::Write { path, source })
     };
@@ -44,7 +44,7 @@ pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
         write(format!("{name}.png"), &raster::png(&svg, ZOOM))?;
     }
     write("animation.gif".into(), &animation::gif(scene, title))?;
-    aside.swap_in()?;
+    new_pictures.swap_in()?;
     let pictures = result_dir.join(folder::PICTURES);
     Ok(names.into_iter().map(|name| pictures.join(name)).collect())
 }
@@ -58,26 +58,27 @@ fn no_fields(result_dir: &Path) -> ReportError {
     ReportError::NoFields { folder: result_dir.to_path_buf(), missing }
 }
 
-/// A hidden folder beside the pictures. Dropped before it is swapped in, it leaves nothing behind.
-struct Aside {
+/// A hidden temporary folder beside `pictures`. Dropping it before [`Self::swap_in`] deletes it.
+struct NewPictures {
     path: PathBuf,
     target: PathBuf,
 }
 
-impl Aside {
+impl NewPictures {
     fn create(result_dir: &Path) -> Result<Self, ReportError> {
         let beside = |role: &str| result_dir.join(format!(".{}.{role}-{}", folder::PICTURES, process::id()));
-        let aside = Self { path: beside("new"), target: result_dir.join(folder::PICTURES) };
-        let made = remove(&aside.path).and_then(|()| fs::create_dir(&aside.path));
-        made.map_err(|source| ReportError::Write { path: aside.path.clone(), source })?;
-        Ok(aside)
+        let new = Self { path: beside("new"), target: result_dir.join(folder::PICTURES) };
+        let made = remove(&new.path).and_then(|()| fs::create_dir(&new.path));
+        made.map_err(|source| ReportError::Write { path: new.path.clone(), source })?;
+        Ok(new)
     }
 
+    /// Puts the new folder in the place of the old one.
     fn swap_in(self) -> Result<(), ReportError> {
         let old = self.path.with_extension(format!("old-{}", process::id()));
         let swapped = match fs::rename(&self.target, &old) {
             Ok(()) => fs::rename(&self.path, &self.target).or_else(|error| {
-                // the old pictures go back; should that fail too, they are still whole, beside their place
+                // restore the old pictures; if that fails too, they stay complete under the hidden name
                 fs::rename(&old, &self.target)?;
                 Err(error)
             }),
@@ -89,14 +90,14 @@ impl Aside {
     }
 }
 
-impl Drop for Aside {
+impl Drop for NewPictures {
     fn drop(&mut self) {
-        // after the swap there is nothing here; a destructor has nobody to tell of a failure
+        // after the swap the folder is gone; a destructor cannot report a failure
         let _ = fs::remove_dir_all(&self.path);
     }
 }
 
-/// Removes a folder, or does nothing where there is none.
+/// Removes a folder if it exists.
 fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_dir_all(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

@@ -1,4 +1,4 @@
-//! Which moments of a run are worth a picture: those that mean something to a designer.
+//! Chooses the frames that pictures show: the moments of a run that a designer asks about.
 
 use netcast_results::Summary;
 use netcast_results::summary::PointExtremes;
@@ -6,14 +6,14 @@ use netcast_results::summary::PointExtremes;
 use super::colour::SLACK_BELOW;
 use crate::results::{Results, Scene};
 
-/// A frame and what it shows.
+/// A frame with the name of its moment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct KeyFrame {
     pub frame: usize,
     pub name: &'static str,
 }
 
-/// Moments nearer to each other than this share of the run look alike.
+/// Least time between two moments as a share of the run: nearer ones look alike.
 const LEAST_GAP: f64 = 0.004;
 
 /// Up to `count` moments of the opening, in order of time.
@@ -27,7 +27,7 @@ pub(crate) fn postures(results: &Results, scene: &Scene, count: usize) -> Vec<Ke
         (Some(0), start_name(summary)),
         (Some(end), "at the end"),
         (at(scene, opening.area_max_time_s), "largest area"),
-        // within the spell, not beside it
+        // take a frame within the open interval, not merely the nearest
         (opening.effective_from_s.map(|time| first_from(scene, time)), "80 % open"),
         (opening.effective_to_s.map(|time| last_until(scene, time)), "80 % open until here"),
         (at(scene, posture.convex_from_s), "the middle takes the lead"),
@@ -38,7 +38,7 @@ pub(crate) fn postures(results: &Results, scene: &Scene, count: usize) -> Vec<Ke
     chosen(results, scene, &wanted, count)
 }
 
-/// Up to `count` moments of the ropes' tensions, in order of time.
+/// Up to `count` moments that matter for rope tensions, in order of time.
 pub(crate) fn tensions(results: &Results, scene: &Scene, count: usize) -> Vec<KeyFrame> {
     let (summary, end) = (results.summary(), scene.frames() - 1);
     let opening = &summary.opening;
@@ -68,7 +68,7 @@ pub(crate) fn highest_tension(scene: &Scene, frame: usize) -> f64 {
     of_ropes.filter(|&tension| tension >= SLACK_BELOW).fold(0.0, f64::max)
 }
 
-/// The most wanted of some moments, filled up in the widest gaps between them.
+/// Up to `count` moments in order of time: the first of `wanted` that lie apart, and frames that halve the widest gaps.
 fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static str)], count: usize) -> Vec<KeyFrame> {
     let times = &scene.fields.times;
     let length = times[scene.frames() - 1] - times[0];
@@ -83,7 +83,7 @@ fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static s
     moments.sort_by_key(|moment| moment.frame);
     let largest = at(scene, results.summary().opening.area_max_time_s);
     while moments.len() < count {
-        // a gap that holds a frame
+        // only a gap with a frame inside can be halved
         let gaps = (1..moments.len()).filter(|&place| moments[place].frame - moments[place - 1].frame > 1);
         let width = |place: usize| times[moments[place].frame] - times[moments[place - 1].frame];
         let Some(place) = gaps.max_by(|&one, &other| width(one).total_cmp(&width(other)).then(other.cmp(&one))) else {
@@ -100,6 +100,7 @@ fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static s
     moments
 }
 
+/// The name of the first frame.
 fn start_name(summary: &Summary) -> &'static str {
     let speed = point(summary, "tractor").and_then(|tractor| tractor.peak_speed_m_s);
     let is_launched = speed.is_some_and(|speed| speed > 0.0);
@@ -110,24 +111,27 @@ fn point<'s>(summary: &'s Summary, name: &str) -> Option<&'s PointExtremes> {
     summary.points.get(name)?.as_ref()
 }
 
-/// When a point sets off, s.
+/// Time at which a point sets off, s.
 fn starts(summary: &Summary, name: &str) -> Option<f64> {
     point(summary, name)?.starts_s
 }
 
+/// The frame nearest to `time`, s.
 fn at(scene: &Scene, time: Option<f64>) -> Option<usize> {
     time.map(|time| scene.frame_at(time))
 }
 
+/// The first frame at or after `time`, s.
 fn first_from(scene: &Scene, time: f64) -> usize {
     scene.fields.times.iter().position(|&frame| frame >= time).unwrap_or(scene.frames() - 1)
 }
 
+/// The last frame at or before `time`, s.
 fn last_until(scene: &Scene, time: f64) -> usize {
     scene.fields.times.iter().rposition(|&frame| frame <= time).unwrap_or(0)
 }
 
-/// The first frame at which half of the largest area is open; none where it is from the start.
+/// The first frame with at least half of the largest area, before frame `largest`; none where that is the first of all.
 fn half_open(results: &Results, scene: &Scene, largest: usize) -> Option<usize> {
     let half = 0.5 * results.summary().opening.area_max_m2?;
     let area = |frame: usize| {

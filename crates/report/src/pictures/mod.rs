@@ -1,14 +1,14 @@
-//! Pictures of a net without a browser.
+//! Draws pictures of a net as SVG, PNG and GIF files.
 //!
 //! ```text
 //!  Scene ─▶ strands  ropes as few polylines ─┐
-//!           camera   where one looks from    ├─▶ net_picture ─▶ sheet ─▶ SVG in the page, SVG file
+//!           camera   viewing directions      ├─▶ net_picture ─▶ sheet ─▶ SVG in the page, SVG file
 //!           colour   tension in twelve bins ─┘                    │            │
 //!  summary ─▶ key_frames  which frames ────────────▶ sheets ──────┘         raster ─▶ PNG
 //!  history ─▶ curves ─▶ SVG file ──────────────────────────────────────┘   └─▶ animation ─▶ GIF
 //! ```
 //!
-//! `files` writes them all.
+//! `files` writes all files.
 
 mod animation;
 mod body_outline;

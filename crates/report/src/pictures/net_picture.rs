@@ -1,7 +1,8 @@
-//! A net at one moment, as SVG.
+//! Draws one frame of a net as SVG.
 //!
-//! Ropes are drawn in their bins of tension, the slack ones first and the hardest pulled on top. Bodies have their true
-//! size and attitude, or are dots of the least size that can be seen. The outline is shaded while the web counts as open.
+//! Ropes have the colour of their bin of tension; slack ropes are drawn first and those of the highest bin last. Bodies
+//! have their true size and orientation; a smaller one is a dot that can still be seen. The outline is shaded while the
+//! web is at least 80 % open.
 
 use glam::{DVec2, DVec3, IVec2};
 use netcast_results::{BodyKind, BodyMark, CanopyMark, OPEN_SHARE};
@@ -15,13 +16,13 @@ use super::svg_text::text as safe;
 use super::theme::bin_stroke;
 use crate::results::Scene;
 
-/// Coordinates are whole tenths of a pixel.
+/// Units of a coordinate in a pixel.
 const TENTHS: f64 = 10.0;
 
-/// Tractors up to which each has its number written beside it.
+/// With more tractors than this, none is numbered.
 const MOST_NUMBERED: usize = 12;
 
-/// Least radius of a tractor, and of what else is carried, px.
+/// Least radius of a tractor, and of a payload or sensor, px.
 const LEAST_RADIUS: (f64, f64) = (3.0, 1.4);
 
 /// Radius of the mark of a feature point, px.
@@ -30,7 +31,7 @@ const POINT_RADIUS: f64 = 2.0;
 /// Radius of the ring round a marked place, px.
 const MARK_RADIUS: f64 = 6.0;
 
-/// How a net is drawn; a frame makes a picture of it.
+/// The settings of a picture, without the frame.
 pub(crate) struct NetPicture<'a> {
     pub scene: &'a Scene,
     pub strands: &'a Strands,
@@ -39,22 +40,22 @@ pub(crate) struct NetPicture<'a> {
     pub px_per_m: f64,
     /// Width and height, px.
     pub size: DVec2,
-    /// A place with a ring round it, m.
+    /// World position to mark with a ring, m.
     pub mark: Option<DVec3>,
     pub labelling: Labelling,
 }
 
-/// Where the names of points and tractors stand.
+/// How labels of points and tractors are placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Labelling {
-    /// Where there is room; what finds none is left out.
+    /// On a free side; a label without one is left out.
     Apart,
-    /// Always at the upper right, so that they do not jump from frame to frame; tractors have none.
+    /// Always at the upper right, so that labels do not jump from frame to frame; tractors have none.
     Steady,
 }
 
 impl NetPicture<'_> {
-    /// Draws a frame with the point `centre`, m in the camera's plane, in the middle of the picture.
+    /// Appends a frame to `svg`, with the point `centre` of the camera's plane, m, in the middle of the picture.
     pub fn draw(&self, frame: usize, centre: DVec2, svg: &mut String) {
         let positions = self.scene.fields.positions(frame);
         let place = |point| self.place(self.camera.project(point), centre);
@@ -76,7 +77,7 @@ impl NetPicture<'_> {
         self.draw_scale_bar(svg);
     }
 
-    /// Where a point of the camera's plane lies in the picture, in tenths of a pixel, to the right and down.
+    /// A point of the camera's plane, m, in the picture: tenths of a pixel to the right and down.
     fn place(&self, seen: DVec2, centre: DVec2) -> IVec2 {
         let from_centre = (seen - centre) * DVec2::new(self.px_per_m, -self.px_per_m);
         ((from_centre + 0.5 * self.size) * TENTHS).round().as_ivec2()
@@ -104,7 +105,7 @@ impl NetPicture<'_> {
 
     fn draw_ropes(&self, frame: usize, points: &[IVec2], svg: &mut String) {
         let paths = self.strands.paths(points, self.scene.fields.tensions(frame), self.scale);
-        // a dense net is drawn finer
+        // a dense net has thinner lines
         let fineness = (3000.0 / self.scene.fields.topology.segments.len().max(1) as f64).sqrt().clamp(0.4, 1.0);
         svg.push_str("<g class=\"ropes\">");
         for bin in [BINS].into_iter().chain(0..BINS).filter(|&bin| !paths[bin].is_empty()) {
@@ -119,7 +120,7 @@ impl NetPicture<'_> {
     fn draw_bodies(&self, frame: usize, points: &[IVec2], labels: &mut Labels, svg: &mut String) {
         let turned = self.scene.fields.orientations(frame);
         let landmarks = &self.scene.landmarks;
-        // what is carried first, so that no tractor is hidden
+        // payloads and sensors first, so that they hide no tractor
         let (tractors, others): (Vec<_>, Vec<_>) =
             landmarks.bodies.iter().partition(|body| body.kind == BodyKind::Tractor);
         let are_numbered = self.labelling == Labelling::Apart && landmarks.tractors.len() <= MOST_NUMBERED;
@@ -130,7 +131,7 @@ impl NetPicture<'_> {
             };
             let corners = body.rigid.map_or(Vec::new(), |rigid| outline(&body.shape, turned[rigid], &self.camera));
             let reach = self.px_per_m * corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
-            // of its true size, unless that is too small to be seen
+            // draw the true size unless it is too small to be seen
             let radius = if reach > least {
                 let corners = corners.iter().map(|corner| corner * DVec2::new(self.px_per_m, -self.px_per_m));
                 labels.shape(class, points[body.node], reach, corners, svg);
@@ -156,7 +157,7 @@ impl NetPicture<'_> {
             labels.circle("point", at, POINT_RADIUS, svg);
             wanted.push(Wanted { at: px(at), radius: POINT_RADIUS, text: point.name.clone(), class: "label" });
         }
-        // they are more wanted than the tractors' numbers
+        // names of points take precedence over numbers of tractors
         labels.wanted.splice(0..0, wanted);
         labels.place();
     }
@@ -174,14 +175,14 @@ impl NetPicture<'_> {
     }
 }
 
-/// The area of the outline at a frame as a share of the flat web's; none where there is no outline.
+/// Area of the outline in a frame over the area of the flat web; none where there is no outline.
 pub(crate) fn open_share(scene: &Scene, frame: usize) -> Option<f64> {
     let positions = scene.fields.positions(frame);
     let area = scene.landmarks.outline_area(|node| positions[node])?.dot(scene.landmarks.axis).abs();
     Some(area / scene.landmarks.reference_area?)
 }
 
-/// The corners of the rectangle that the web fills in a frame, m in the camera's plane: least and largest coordinates.
+/// The rectangle of the camera's plane that the web fills in a frame: least and largest coordinates, m.
 pub(crate) fn extent(scene: &Scene, frame: usize, camera: &Camera) -> (DVec2, DVec2) {
     let positions = scene.fields.positions(frame);
     let nodes = scene.of_web.iter().map(|&node| (camera.project(positions[node]), 0.0));
@@ -191,7 +192,7 @@ pub(crate) fn extent(scene: &Scene, frame: usize, camera: &Camera) -> (DVec2, DV
     })
 }
 
-/// Radius of a body, m; none for a particle.
+/// Radius of a body, m; 0 for a particle.
 fn body_radius(body: &BodyMark) -> f64 {
     0.5 * body.shape.size_m()[0]
 }
@@ -201,33 +202,33 @@ fn polygon(vertices: impl Iterator<Item = IVec2>) -> String {
     format!("M{}z", corners.join("L"))
 }
 
-/// Names beside what they name.
+/// Places labels so that they overlap neither drawn parts nor each other.
 struct Labels {
     /// The picture's size, px.
     size: DVec2,
     labelling: Labelling,
-    /// Rectangles that are taken: least and largest coordinates, px.
+    /// Occupied rectangles: least and largest coordinates, px.
     taken: Vec<(DVec2, DVec2)>,
-    /// The most wanted first.
+    /// The labels to place, in order of precedence.
     wanted: Vec<Wanted>,
     svg: String,
 }
 
 /// A label to be placed.
 struct Wanted {
-    /// What it names, px, and the radius of that.
+    /// Centre of the part that it names, px, and radius of that part, px.
     at: DVec2,
     radius: f64,
     text: String,
     class: &'static str,
 }
 
-/// Height of a label's letters and width of one, px, generously.
+/// Width and height of a letter, px, rounded up.
 const LETTER: DVec2 = DVec2::new(7.6, 9.0);
 
 const UPPER_RIGHT: DVec2 = DVec2::new(0.85, -0.85);
 
-/// Where a label may stand: beside what it names, and nearer where it stands at a corner.
+/// Directions in which a label may lie from its part; a diagonal one is nearer.
 const SIDES: [DVec2; 8] = [
     DVec2::new(1.0, 0.0),
     UPPER_RIGHT,
@@ -244,14 +245,14 @@ impl Labels {
         Self { size, labelling, taken: Vec::new(), wanted: Vec::new(), svg: String::new() }
     }
 
-    /// Draws a circle that no label may cover.
+    /// Draws a circle and keeps labels off it.
     fn circle(&mut self, class: &str, at: IVec2, radius: f64, svg: &mut String) {
         let centre = px(at);
         self.taken.push((centre - radius, centre + radius));
         svg.push_str(&format!("<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{radius:.1}\"/>", centre.x, centre.y));
     }
 
-    /// A polygon with these corners about a point, px, which reaches so far.
+    /// Draws a polygon and keeps labels off it: `corners` lie about the point `at`, at most `reach` px away.
     fn shape(&mut self, class: &str, at: IVec2, reach: f64, corners: impl Iterator<Item = DVec2>, svg: &mut String) {
         let centre = px(at);
         self.taken.push((centre - reach, centre + reach));
@@ -274,7 +275,7 @@ impl Labels {
             let found = match self.labelling {
                 Labelling::Steady => Some(rectangle(UPPER_RIGHT)),
                 Labelling::Apart => {
-                    // those away from the middle of the picture first
+                    // try the sides away from the middle of the picture first
                     let away = at - 0.5 * self.size;
                     let mut sides = SIDES;
                     sides.sort_by(|one, other| other.dot(away).total_cmp(&one.dot(away)));

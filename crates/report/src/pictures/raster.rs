@@ -1,4 +1,4 @@
-//! SVG to pixels, with letters that the program carries, so that every machine makes the same picture.
+//! Renders SVG to pixels. The font is embedded, so that every machine makes the same picture.
 
 use std::sync::{Arc, LazyLock};
 
@@ -12,10 +12,10 @@ static OPTIONS: LazyLock<Options<'static>> = LazyLock::new(|| {
     Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".into(), ..Options::default() }
 });
 
-/// A picture of ours as pixels, `zoom` of them for each of its own.
+/// Renders an SVG that this crate drew, with `zoom` pixels for each of its own.
 ///
 /// # Panics
-/// Where the picture is no SVG: it is a fault of what drew it.
+/// Where `svg` is malformed, which is a fault of this crate.
 pub(crate) fn pixels(svg: &str, zoom: f32) -> Pixmap {
     let tree = Tree::from_str(svg, &OPTIONS).expect("pictures are well-formed SVG");
     let size = tree.size().to_int_size().scale_by(zoom).expect("pictures have a size");
@@ -24,10 +24,10 @@ pub(crate) fn pixels(svg: &str, zoom: f32) -> Pixmap {
     pixels
 }
 
-/// A picture of ours as a PNG file, `zoom` pixels for each of its own.
+/// Renders an SVG that this crate drew to the bytes of a PNG file, with `zoom` pixels for each of its own.
 ///
 /// # Panics
-/// Where the picture is no SVG: it is a fault of what drew it.
+/// Where `svg` is malformed, which is a fault of this crate.
 pub(crate) fn png(svg: &str, zoom: f32) -> Vec<u8> {
     pixels(svg, zoom).encode_png().expect("memory takes everything")
 }

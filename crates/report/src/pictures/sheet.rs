@@ -1,4 +1,4 @@
-//! A sheet of pictures: one camera's scale, one colour scale, a caption each; for the page or as a file of its own.
+//! A sheet of captioned pictures with one scale of length and one of colour, as HTML figures or as one SVG file.
 
 use glam::{DVec2, DVec3};
 
@@ -11,30 +11,30 @@ use super::theme::{bin_stroke, standalone_style};
 use crate::format::escape;
 use crate::results::Scene;
 
-/// The letters of pictures that stand alone. What rasterises them has the first.
+/// Fonts of SVG files; `raster` embeds the first.
 pub(crate) const FONT: &str = "DejaVu Sans, sans-serif";
 
 /// Room around a net for its labels, and below it for the scale bar, px.
 const MARGIN: DVec2 = DVec2::new(20.0, 22.0);
 
-/// Height of a picture as a share of its width: least and most.
-const SHAPE: (f64, f64) = (0.5, 1.1);
+/// Least and largest height of a picture over its width.
+const HEIGHT_RATIO: (f64, f64) = (0.5, 1.1);
 
-/// Pictures that belong together.
+/// Pictures with common scales.
 pub(crate) struct Sheet<'a> {
     pub scene: &'a Scene,
     pub cells: Vec<Cell>,
     pub columns: usize,
     /// Width of a picture, px.
     pub width: f64,
-    /// Class of the grid in the page.
+    /// CSS class of the grid of pictures.
     pub class: &'static str,
     pub scale: TensionScale,
-    /// Whether the key to the colours is shown.
+    /// Whether the key of the colours is shown.
     pub has_key: bool,
-    /// A place with a ring round it, m.
+    /// World position to mark with a ring, m.
     pub mark: Option<DVec3>,
-    /// What there is to know about all of them.
+    /// Notes below the pictures, one line each.
     pub notes: Vec<String>,
 }
 
@@ -47,7 +47,7 @@ pub(crate) struct Cell {
 }
 
 impl Sheet<'_> {
-    /// The pictures as figures of a page.
+    /// The pictures as figures of an HTML page.
     pub fn html(&self) -> String {
         let (strands, size, px_per_m) = self.prepared();
         let mut html = format!("<div class=\"net-sheet {}\">\n", self.class);
@@ -71,7 +71,7 @@ impl Sheet<'_> {
         html + "</div>\n"
     }
 
-    /// The pictures as one SVG file under a title.
+    /// The pictures as one SVG file with a title at the top.
     pub fn svg(&self, title: &str) -> String {
         const GAP: f64 = 16.0;
         const TOP: f64 = 44.0;
@@ -113,7 +113,7 @@ impl Sheet<'_> {
         svg + "</svg>\n"
     }
 
-    /// The ropes, and the size and scale at which the largest of the nets fits its picture.
+    /// The ropes, and the picture's size, px, and scale, px/m, at which the largest of the nets fits.
     fn prepared(&self) -> (Strands, DVec2, f64) {
         let extents = self.cells.iter().map(|cell| {
             let (least, most) = extent(self.scene, cell.frame, &self.camera(cell));
@@ -144,22 +144,23 @@ impl Sheet<'_> {
         picture.draw(cell.frame, 0.5 * (least + most), svg);
     }
 
+    /// The notes, with one on thinning where nodes are left out.
     fn all_notes(&self, strands: &Strands) -> Vec<String> {
         let thinned = "Drawn without some of the nodes inside ropes; each piece has the highest tension along it.";
         self.notes.iter().cloned().chain(strands.thinned.then(|| thinned.into())).collect()
     }
 }
 
-/// The height of pictures of a width, and px a metre, such that a net of `extent`, m, fits.
+/// Size, px, and scale, px/m, of a picture of `width`, px, in which a net of `extent`, m, fits.
 fn fitted(extent: DVec2, width: f64) -> (DVec2, f64) {
     let across = (width - 2.0 * MARGIN.x) / extent.x;
-    let most_height = SHAPE.1 * width - 2.0 * MARGIN.y;
-    let px_per_m = across.min(most_height / extent.y);
-    let height = (extent.y * px_per_m + 2.0 * MARGIN.y).max(SHAPE.0 * width);
+    let height_max = HEIGHT_RATIO.1 * width - 2.0 * MARGIN.y;
+    let px_per_m = across.min(height_max / extent.y);
+    let height = (extent.y * px_per_m + 2.0 * MARGIN.y).max(HEIGHT_RATIO.0 * width);
     (DVec2::new(width, height.round()), px_per_m)
 }
 
-/// The beginning of an SVG file that carries its own style.
+/// The head of an SVG file with its style, on a white background; the caller closes the element.
 pub(crate) fn standalone(width: f64, height: f64) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"net\" width=\"{width}\" height=\"{height}\" \
@@ -169,10 +170,10 @@ pub(crate) fn standalone(width: f64, height: f64) -> String {
     )
 }
 
-/// Width and height of the key to the colours, px.
+/// Width and height of the key of the colours, px.
 pub(crate) const KEY_SIZE: (f64, f64) = (460.0, 46.0);
 
-/// The key to the colours of tension.
+/// The key of the colours of tension as SVG.
 pub(crate) fn key(scale: &TensionScale) -> String {
     const BOX: f64 = 32.0;
     const LEFT: f64 = 60.0;

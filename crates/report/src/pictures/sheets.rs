@@ -1,4 +1,4 @@
-//! The three sheets of a result: postures at eight moments, tensions at six, the stowed state from two sides.
+//! The three sheets of a result: postures at eight moments, tensions at six, and the stowed state from two directions.
 
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ const THREE_QUARTER: &str = "Seen from the side and 23° above, launch axis up; 
 /// The web's posture at eight moments.
 pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
     let moments = key_frames::postures(results, scene, POSTURES);
-    let shaded = "Per cent: area of the outline over that of the flat web; shaded from 80 % on. Middle at: its travel since launch.";
+    let shaded = "Per cent: area of the outline over that of the flat web; shaded from 80 %. Middle at: travel of the middle since launch.";
     let has_outline = !scene.landmarks.outline.is_empty();
     let cells = moments
         .iter()
@@ -36,7 +36,7 @@ pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
     }
 }
 
-/// What the ropes bear at six moments.
+/// The tensions of the ropes at six moments.
 pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
     let moments = key_frames::tensions(results, scene, CLOUDS);
     let up_to = |moment: &KeyFrame| Some(format!("up to {}", with_prefix(highest_tension(scene, moment.frame), "N")));
@@ -54,7 +54,7 @@ pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
     }
 }
 
-/// The state at the start, from two sides.
+/// The state at the start, from the side and from ahead.
 pub(crate) fn stowed<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
     let closest = closest_approach(results);
     let cell = |view: View, name: &str, across: &str, along: &str| {
@@ -75,7 +75,7 @@ pub(crate) fn stowed<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         scale: TensionScale::up_to(highest_tension(scene, 0)),
         has_key: highest_tension(scene, 0) > 0.0,
         mark: closest.as_ref().map(|(place, _)| *place),
-        notes: ["Both to one scale. Sizes are those of all that is stowed, tractors and payloads with it.".to_owned()]
+        notes: ["Both pictures have one scale. The sizes include tractors and payloads.".to_owned()]
             .into_iter()
             .chain(closest.map(|(_, note)| note))
             .collect(),
@@ -97,19 +97,19 @@ pub(crate) fn stowed_html(results: &Results) -> String {
     results.scene.as_ref().map(|scene| stowed(results, scene).html()).unwrap_or_default()
 }
 
-/// Where ropes that are not tied together come nearest, m, and a note that says so.
+/// The world position, m, at which ropes that are not tied together are nearest, and a note on it.
 fn closest_approach(results: &Results) -> Option<(DVec3, String)> {
     let stowed = &results.summary().stowed;
     let (place, distance) = (stowed.closest_approach_at_m?, stowed.closest_approach_m?);
     let note = format!(
-        "The ring marks where ropes that are not tied together come nearest: {} between their centre lines.",
+        "The ring marks where ropes that are not tied together are nearest: {} between their centre lines.",
         with_prefix(distance, "m")
     );
     Some((DVec3::from(place), note))
 }
 
 fn cell<const N: usize>(moment: &KeyFrame, facts: [Option<String>; N]) -> Cell {
-    // a fact is not broken over two lines
+    // no-break spaces keep each fact on one line
     let facts = facts.into_iter().flatten().map(|fact| fact.replace(' ', "\u{a0}"));
     let caption = facts.collect::<Vec<String>>().join(" · ");
     Cell { frame: moment.frame, view: View::ThreeQuarter, name: moment.name.into(), caption }
@@ -133,7 +133,7 @@ fn scale(scene: &Scene, moments: &[KeyFrame]) -> TensionScale {
     TensionScale::up_to(moments.iter().map(|moment| highest_tension(scene, moment.frame)).fold(0.0, f64::max))
 }
 
-/// Where the highest tension of the run fell between two frames, and so is in no picture.
+/// A note on the highest tension of the run where it fell between two frames and is in no picture.
 fn missed_peak(results: &Results, scene: &Scene) -> Option<String> {
     let tension = &results.summary().tension;
     let (highest, at) = (tension.max_n, tension.max_time_s?);
@@ -142,7 +142,7 @@ fn missed_peak(results: &Results, scene: &Scene) -> Option<String> {
     (highest > 1.01 * shown).then(|| {
         let highest = with_prefix(highest, "N");
         format!(
-            "The highest tension of all, {highest} in a rope of class {class}, fell between two frames, at {at:.4} s."
+            "The highest tension of the run, {highest} in a rope of class {class}, fell between two frames, at {at:.4} s."
         )
     })
 }

@@ -1,39 +1,42 @@
-//! The ropes of a net as few long polylines.
+//! Joins the ropes of a net into few long polylines.
 //!
-//! A picture of two thousand single segments is five times the bytes of the same segments in trails that run on through
-//! the knots. Where a net has more segments than a picture can show, nodes inside ropes are passed over.
+//! Two thousand separate segments take five times the bytes of the same segments in trails that continue through knots.
+//! Where a net has more segments than a picture can show, nodes inside ropes are left out.
 
 use glam::IVec2;
 
 use super::colour::{BINS, TensionScale};
 use crate::results::Scene;
 
-/// Segments up to which every node is drawn.
+/// Most segments that are drawn with every node.
 const MOST_SEGMENTS: usize = 6000;
 
-/// The ropes of a net, cut into trails that use each segment once.
+/// The ropes of a net as trails; each segment is in exactly one.
 pub(crate) struct Strands {
     trails: Vec<Trail>,
     /// Segments in the order of the trails.
     order: Vec<usize>,
-    /// Whether nodes inside ropes are passed over.
+    /// Whether nodes inside ropes are left out.
     pub thinned: bool,
 }
 
+/// A polyline along segments.
 struct Trail {
+    /// The first node.
     start: usize,
     links: Vec<Link>,
 }
 
-/// A straight piece of a trail: a segment, or some in a row.
+/// A straight piece of a trail: one segment, or consecutive ones without the nodes between them.
 struct Link {
+    /// The node at its end.
     to: usize,
-    /// Place in the order of segments that it ends before; it begins where the link before it ends.
+    /// End of its range in [`Strands::order`], exclusive; the range begins where that of the link before ends.
     until: usize,
 }
 
 impl Strands {
-    /// The ropes of a scene; members of canopies are none.
+    /// The ropes of a scene, without the members of canopies.
     pub fn new(scene: &Scene) -> Self {
         let topology = &scene.fields.topology;
         let ropes: Vec<usize> = (0..topology.segments.len()).filter(|segment| scene.is_rope(*segment)).collect();
@@ -42,7 +45,7 @@ impl Strands {
 
         let mut strands = Self { trails: Vec::new(), order: Vec::with_capacity(ropes.len()), thinned: false };
         let mut used = vec![false; topology.segments.len()];
-        // a trail that begins where an odd number of segments meet need not be broken off there by another
+        // at a node with an odd number of segments a trail must begin or end: begin at those first (Euler)
         let is_odd = |node: &usize| meeting.at(*node).len() % 2 == 1;
         let odd = (0..topology.nodes).filter(is_odd);
         for start in odd.chain(0..topology.nodes) {
@@ -55,7 +58,8 @@ impl Strands {
         strands
     }
 
-    /// The trail of unused segments from a node, as long as it goes; none where there is none left.
+    /// Follows unused segments from node `start` until none is left; none where none begins there. It marks them as
+    /// used, and makes a link of up to `stride` segments inside a rope.
     fn walk(
         &mut self,
         scene: &Scene,
@@ -69,7 +73,7 @@ impl Strands {
         let (mut node, mut class, mut begin) = (start, None, self.order.len());
         loop {
             let left = || meeting.at(node).iter().copied().filter(|&segment| !used[segment]);
-            // along its own class through a knot, where that goes on
+            // prefer the same link class beyond a knot
             let alike = left().find(|&segment| Some(topology.classes[segment]) == class);
             let Some(segment) = alike.or_else(|| left().next()) else { break };
             used[segment] = true;
@@ -85,15 +89,16 @@ impl Strands {
             trail.links.push(Link { to: node, until });
             begin = until;
         }
-        // a loop without knots may end between the nodes that are drawn
+        // the last segments of a loop without knots may be fewer than a stride
         if self.order.len() > begin {
             trail.links.push(Link { to: node, until: self.order.len() });
         }
         (!trail.links.is_empty()).then_some(trail)
     }
 
-    /// The ropes of each bin as SVG path data, slack ropes at the end, for nodes that are seen at `points`. A link that
-    /// stands for some segments has the highest tension of them, and is gone with the first of them that broke.
+    /// The ropes of each bin as SVG path data; the last entry holds the slack ropes. `points` holds the picture
+    /// coordinates of all nodes, `tensions` those of all segments, N, NaN for a broken one. A link of several segments
+    /// has the highest of their tensions, and is left out once any of them has broken.
     pub fn paths(&self, points: &[IVec2], tensions: &[f64], scale: &TensionScale) -> [String; BINS + 1] {
         let mut pens = [const { Pen::new() }; BINS + 1];
         let mut from = 0;
@@ -113,7 +118,7 @@ impl Strands {
     }
 }
 
-/// The segments that meet at each node.
+/// The rope segments at each node.
 struct Meeting {
     begins: Vec<usize>,
     segments: Vec<usize>,
@@ -143,11 +148,11 @@ impl Meeting {
     }
 }
 
-/// Draws lines into path data, in relative whole numbers.
+/// Writes lines as SVG path data in relative whole numbers.
 struct Pen {
     path: String,
     at: Option<IVec2>,
-    /// The last step's letter: a run of the same needs it once.
+    /// The last command: SVG repeats it where the letter is left out.
     letter: char,
 }
 
@@ -157,7 +162,7 @@ impl Pen {
     }
 
     fn line(&mut self, from: IVec2, to: IVec2) {
-        // shorter than can be seen; what follows begins at the same place
+        // too short to be seen; the next line begins at the same place
         if from == to {
             return;
         }
@@ -221,7 +226,7 @@ mod tests {
 
     #[test]
     fn every_segment_is_drawn_once_in_few_trails() {
-        // a star of three, a triangle hung on it, a loop apart, and a node without ropes
+        // a star of three ropes with a triangle at one end, a separate loop, and a node without ropes
         let segments = vec![[0, 1], [0, 2], [0, 3], [3, 4], [4, 5], [5, 3], [6, 7], [7, 8], [8, 6]];
         let strands = Strands::new(&scene(10, segments.clone()));
         let mut order = strands.order.clone();
@@ -234,7 +239,7 @@ mod tests {
 
     #[test]
     fn thinned_ropes_keep_their_ends_and_their_highest_tension() {
-        // two ropes of half as many segments again as are drawn, from node 0 over a knot with a third to the last
+        // two ropes in line with 1.5 times the limit of segments, and a third at the knot between them
         let half = MOST_SEGMENTS * 3 / 4;
         let mut segments: Vec<[u32; 2]> = (0..2 * half as u32).map(|node| [node, node + 1]).collect();
         let count = segments.len();
@@ -250,7 +255,7 @@ mod tests {
             let paths = strands.paths(&points, &tensions, &scale);
             assert!(!paths[BINS - 1].is_empty(), "segment {hardest}");
         }
-        // what is left out lies inside a rope: ends and knots stay
+        // ends and knots stay
         let ends = strands.trails.iter().flat_map(|trail| trail.links.iter().map(|link| link.to).chain([trail.start]));
         let drawn: Vec<usize> = ends.collect();
         for kept in [0, half, count, count + 1] {
@@ -259,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pen_says_no_more_than_it_must() {
+    fn path_data_leaves_out_repeated_letters_and_needless_spaces() {
         let mut pen = Pen::new();
         pen.line(IVec2::new(10, 20), IVec2::new(13, 16));
         pen.line(IVec2::new(13, 16), IVec2::new(13, 16));

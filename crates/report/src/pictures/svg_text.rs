@@ -1,8 +1,8 @@
-//! Text within SVG.
+//! Escapes text for SVG.
 
 use crate::format::escape;
 
-/// Text for an SVG file. XML has no place for control characters.
+/// Text escaped for an SVG file, with spaces for control characters, which XML does not allow.
 pub(crate) fn text(content: &str) -> String {
     escape(&content.replace(char::is_control, " "))
 }
@@ -12,7 +12,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_title_may_hold_anything() {
+    fn markup_and_control_characters_are_escaped() {
         assert_eq!(text("<b>\u{0} & \"net\"\n"), "&lt;b&gt;  &amp; &quot;net&quot; ");
     }
 }

@@ -1,19 +1,19 @@
-//! The page's colours, for pictures that stand alone.
+//! The colours of the page, for pictures in files.
 //!
-//! Pictures in the page follow its theme by the variables of `page.css`. A file of its own has the light ones written
-//! out, which every program understands.
+//! Pictures within the page take their colours from the variables of `page.css`, so they follow its theme. Programs
+//! other than browsers do not know variables, so a picture in a file has the light colours written out.
 
 use super::colour::{BINS, bin_colour, hex};
 
 const PAGE: &str = include_str!("../page/page.css");
 const PICTURE: &str = include_str!("picture.css");
 
-/// What a page needs to show pictures of nets.
+/// The CSS of pictures within a page.
 pub(crate) fn page_style() -> String {
     format!("{PICTURE}{}", include_str!("sheet.css"))
 }
 
-/// The style of a picture that stands alone: every variable replaced by its light value.
+/// The CSS of a picture in a file: every variable is replaced by its light value.
 pub(crate) fn standalone_style() -> String {
     let (_, rules) = PICTURE.split_once("/* rules */").expect("the style says where its rules begin");
     let mut style = String::new();
@@ -27,7 +27,7 @@ pub(crate) fn standalone_style() -> String {
     style + rest
 }
 
-/// The value of a variable in the light theme, such as `#1c2126` for `--ink`: the first that the styles give it.
+/// The value of a variable in the light theme, such as `#1c2126` for `--ink`. It is the first in the style sheets.
 pub(crate) fn light(name: &str) -> &'static str {
     let value = |style: &'static str| {
         let (_, after) = style.split_once(&format!("{name}:"))?;
@@ -43,7 +43,7 @@ pub(crate) fn light_rgb(name: &str) -> [u8; 3] {
     [0, 2, 4].map(|from| channel(from).expect("a colour of six digits"))
 }
 
-/// The colour of a bin of tension in SVG.
+/// The colour of a bin of tension in SVG; none for the slack ropes, index [`BINS`].
 pub(crate) fn bin_stroke(bin: usize) -> Option<String> {
     (bin < BINS).then(|| hex(bin_colour(bin)))
 }
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_that_stand_alone_know_every_colour() {
+    fn the_style_of_a_file_has_values_for_all_variables() {
         let style = standalone_style();
         assert!(!style.contains("var(") && !style.contains("--"), "{style}");
         assert_eq!(light("--ink"), "#1c2126");

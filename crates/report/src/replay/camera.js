@@ -1,4 +1,4 @@
-// The camera: turns about what it follows, with world z up. Vectors are arrays of three.
+// The camera. It turns about the point that it follows, with world z up. Vectors are arrays of three numbers.
 
 const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const scaled = (a, by) => [a[0] * by, a[1] * by, a[2] * by];
@@ -6,16 +6,16 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
 
-/** Half the angle that a view spans across. */
+/** Half the angle of view, rad. */
 const HALF_ANGLE = (14 * Math.PI) / 180;
-/** A view wider than this for its height spans the angle over so much of its width: webs are wide and flat. */
+/** Largest ratio of width to height over which the angle of view is spread: webs are wide and flat. */
 const WIDEST = 1.55;
 
-/** The pixels over which a view spans its angle. */
+/** The width over which a view spans its angle, px. */
 const span = (width, height) => Math.min(width, WIDEST * height);
 
 class Camera {
-  /** A camera for runs that are launched along `axis` and reach so far about their middle, over the ground and up, m. */
+  /** A camera for runs launched along `axis`. They reach `across` m horizontally and `up` m vertically from their middle. */
   constructor(axis, across, up) {
     this.axis = axis;
     this.across = across;
@@ -24,21 +24,21 @@ class Camera {
     this.home();
   }
 
-  /** Back to where it began. */
+  /** Moves back to the first view. */
   home() {
     this.look("three-quarter");
   }
 
-  /** The distance from which all that ever is about the middle is seen in this direction. */
+  /** The distance, m, from which the whole net is seen in this direction at all times. */
   get homeDistance() {
     const high = this.up * Math.cos(this.elevation) + this.across * Math.abs(Math.sin(this.elevation));
     return (1.08 * Math.max(this.across, WIDEST * high, this.reach / 10)) / Math.tan(HALF_ANGLE);
   }
 
-  /** Takes one of the named directions: `side`, `axis`, `three-quarter`. The middle moves back into the middle. */
+  /** Turns to a named direction: `side`, `axis` or `three-quarter`, with the net in the middle of the view. */
   look(name) {
     const rise = Math.asin(Math.min(1, Math.max(-1, this.axis[2])));
-    // straight up has no azimuth of its own
+    // a vertical axis has no azimuth
     const course = Math.hypot(this.axis[0], this.axis[1]) > 1e-6 ? Math.atan2(this.axis[1], this.axis[0]) : 0;
     this.pan = [0, 0, 0];
     if (name === "axis") [this.azimuth, this.elevation] = [course - (rise > 1.5 ? Math.PI / 2 : 0), rise];
@@ -47,7 +47,7 @@ class Camera {
     this.distance = this.homeDistance;
   }
 
-  /** Right, up, and towards the eye. */
+  /** The unit vectors to the right, up, and towards the eye. */
   get frame() {
     const [a, e] = [this.azimuth, this.elevation];
     const back = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
@@ -65,19 +65,19 @@ class Camera {
     this.distance = Math.min(100 * this.reach, Math.max(this.reach / 80, this.distance * factor));
   }
 
-  /** Length of a pixel at what is looked at, in a view of this size, m. */
+  /** Length of a pixel at the target's distance in a view of this size, m. */
   pixel(width, height) {
     return (2 * this.distance * Math.tan(HALF_ANGLE)) / span(width, height);
   }
 
-  /** Moves what is looked at by pixels of a view of this size. */
+  /** Moves the target by pixels of a view of this size. */
   slide(dx, dy, width, height) {
     const metres = this.pixel(width, height);
     const { right, up } = this.frame;
     this.pan = add(this.pan, add(scaled(right, -dx * metres), scaled(up, dy * metres)));
   }
 
-  /** From the world to clip space, column by column, looking at `target` in a view of this size. */
+  /** The matrix from world to clip space, column by column, for a view of this size at `target`. */
   matrix(target, width, height) {
     const { right, up, back } = this.frame;
     const eye = add(add(target, this.pan), scaled(back, this.distance));

@@ -1,17 +1,17 @@
-// What a player is worked with: buttons, choices, the clock, the key to the colours.
+// The controls of a player: buttons, choices, clock, key of the colours.
 
 const SPEEDS = [1000, 500, 200, 100, 50, 20, 10, 5, 2, 1].map((slower) => 1 / slower);
 
 const HELP = [
   ["drag", "turn"],
   ["Shift drag", "move; also: right button, two fingers"],
-  ["wheel", "zoom, once clicked; also: + −, pinch, Ctrl wheel"],
+  ["wheel", "zoom, after a click into the view; also: + −, pinch, Ctrl wheel"],
   ["Space", "play, pause"],
-  ["← →", "a frame; with Shift, ten"],
+  ["← →", "one frame; with Shift, ten"],
   ["Home End", "start, end"],
-  ["F", "follow web, tractors, nothing"],
+  ["F", "follow the web, the tractors, nothing"],
   ["1 2 3", "side, along the axis, three-quarter"],
-  ["R", "camera back"],
+  ["R", "reset the camera"],
 ];
 
 const ICONS = {
@@ -21,7 +21,7 @@ const ICONS = {
   on: "M10.6 2H13v12h-2.4zM2 2v12l7.4-6z",
 };
 
-/** An element with attributes and children; a function is a listener. */
+/** Makes an element with attributes and children; an attribute that is a function becomes a listener. */
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -150,7 +150,7 @@ class Controls {
           "div",
           { class: "replay-group", role: "group", "aria-label": "Camera" },
           ...looks.map(([name, text]) => button(`Look: ${text}`, text, () => player.lookFrom(name))),
-          button("Camera back to where it began", "reset", () => player.reset()),
+          button("Reset the camera", "reset", () => player.reset()),
         ),
         named(
           "speed",
@@ -173,7 +173,7 @@ class Controls {
     );
   }
 
-  /** How exact what is shown is. */
+  /** The rounding of positions and tensions in words. */
   rounding() {
     const { views } = this.player;
     const step = Math.max(...views.map(({ data }) => data.step));
@@ -182,7 +182,7 @@ class Controls {
     return `positions to ${millimetres} mm, tensions to ${percent} %`;
   }
 
-  /** Clock, slider and button as they should be now. */
+  /** Updates clock, slider and button. */
   show() {
     const { time, duration, playing } = this.player;
     const decimals = Math.min(6, Math.max(1, 3 - Math.floor(Math.log10(duration || 1) + 1)));
@@ -197,7 +197,7 @@ class Controls {
     this.playButton.replaceChildren(icon(name.toLowerCase()));
   }
 
-  /** The key to the colours that hold now. */
+  /** Shows the key of the current colours. */
   showLegend() {
     const { player } = this;
     const {
@@ -230,11 +230,11 @@ class Controls {
           return mark;
         }),
       );
-      const told =
+      const note =
         mode === "log"
-          ? "Tension per rope, each mark ten times the one before."
-          : `Tension per rope; 0.5 % of the taut ropes bear more than the scale's end, the highest ${force(Math.max(...player.views.map(({ data }) => data.tension.max)))}.`;
-      this.legend.replaceChildren(swatch("", "slack", "slack"), scale, make("span", { class: "replay-told" }, told));
+          ? "Tension per rope; each mark is ten times the one before."
+          : `Tension per rope; 0.5 % of the tensions exceed the scale. The highest is ${force(Math.max(...player.views.map(({ data }) => data.tension.max)))}.`;
+      this.legend.replaceChildren(swatch("", "slack", "slack"), scale, make("span", { class: "replay-note" }, note));
     }
     if (player.views.some(({ data }) => data.referenceArea))
       this.legend.append(swatch("sheet", "accent", "shaded: open 80 % or more"));

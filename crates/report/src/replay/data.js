@@ -1,9 +1,9 @@
-// A packed run back into numbers; the layout is told in pack.rs. Nothing here holds the page up for long.
+// Decodes a packed run; pack.rs describes the layout. It pauses often, so that the page stays responsive.
 
-/** Width of the textures that positions and tensions are kept in. */
+/** Width of the textures of positions and tensions, texels. */
 const ROW = 1024;
 
-/** Lets the page draw and answer, where it has been kept waiting. */
+/** Makes a function that lets the page respond if it has waited for 12 ms or more. */
 function breather() {
   let since = performance.now();
   return async () => {
@@ -13,7 +13,7 @@ function breather() {
   };
 }
 
-/** The bytes of base64 text, inflated by the browser. */
+/** The inflated bytes of base64 text, as a promise. */
 async function inflate(text) {
   const pause = breather();
   const { readable, writable } = new DecompressionStream("deflate");
@@ -35,16 +35,16 @@ async function inflate(text) {
 }
 
 /**
- * The run that an element holds, as a promise.
+ * Decodes the run in an element; returns a promise.
  *
- * `positions[frame]` are steps on a grid, three a node, in whole rows of a texture; `tensions[frame]` codes, one a
- * segment.
+ * `positions[frame]` holds three grid coordinates for each node, `tensions[frame]` one code for each segment. Both fill
+ * whole rows of a texture.
  */
 async function decode(element) {
   const buffer = await inflate(element.textContent.trim());
   const length = new DataView(buffer).getUint32(0, true);
-  const told = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
-  const { frames, nodes, segments } = told;
+  const meanings = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+  const { frames, nodes, segments } = meanings;
   let at = 4 + length;
   const take = (count) => new Uint8Array(buffer, (at += count) - count, count);
 
@@ -52,24 +52,24 @@ async function decode(element) {
     frames,
     nodes,
     segments,
-    times: told.times_s,
-    duration: told.times_s[frames - 1],
-    origin: told.origin_m,
-    step: told.step_m,
-    axis: told.axis,
-    ground: told.ground_m,
-    tension: { max: told.tension_max_n, decades: told.tension_decades, linearTop: told.tension_linear_top_n },
-    classes: told.classes,
-    areas: told.areas_m2,
-    referenceArea: told.reference_area_m2,
-    /** Share of the flat web's area from which a web counts as open. */
-    openFrom: told.open_share,
-    outline: told.outline,
-    tractors: told.tractors,
-    points: told.points,
-    canopies: told.canopies,
-    bodies: told.bodies,
-    aside: told.aside,
+    times: meanings.times_s,
+    duration: meanings.times_s[frames - 1],
+    origin: meanings.origin_m,
+    step: meanings.step_m,
+    axis: meanings.axis,
+    ground: meanings.ground_m,
+    tension: { max: meanings.tension_max_n, decades: meanings.tension_decades, linearTop: meanings.tension_linear_top_n },
+    classes: meanings.classes,
+    areas: meanings.areas_m2,
+    referenceArea: meanings.reference_area_m2,
+    /** A web is open from this share of the flat web's area. */
+    openFrom: meanings.open_share,
+    outline: meanings.outline,
+    tractors: meanings.tractors,
+    points: meanings.points,
+    canopies: meanings.canopies,
+    bodies: meanings.bodies,
+    aside: meanings.aside,
     ends: new Uint32Array(buffer.slice(at, at + 8 * segments)),
     positions: [],
     tensions: [],
@@ -106,8 +106,8 @@ async function decode(element) {
 }
 
 /**
- * Adds what the camera needs: the middle of web and tractors in each frame, m; how far the net reaches about it, m; the
- * box that muzzle and middles are in, m. Nodes that lie aside, where only a tie ends, count for nothing.
+ * Adds what the camera needs: the middles of web and tractors in each frame, m; the net's largest distances from the
+ * middle, m; the box around the muzzle and all middles, m. It ignores the nodes in `aside`, which no rope reaches.
  */
 async function survey(data, pause) {
   const { frames, nodes, origin, step } = data;
@@ -154,7 +154,7 @@ async function survey(data, pause) {
   data.reach = Math.hypot(data.across, data.up) || 1;
 }
 
-/** The frame before a time and the share of the way to the next. */
+/** The frames before and after a time, and the time's share of the interval between them. */
 function frameAt(data, time) {
   let from = 0,
     to = data.frames - 1;

@@ -1,10 +1,10 @@
-// What keys, mouse, pen and fingers do to a player.
+// Keys, mouse, pen and touch for a player.
 
-/** Acts on a key, where it is one of the player's. */
+/** Handles a key press if the key is one of the player's. */
 function pressed(player, event) {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
   const tag = event.target.tagName;
-  // selects keep their arrows and letters, buttons their space
+  // a select handles arrows and letters itself, a button the space key
   if (tag === "SELECT" || (tag === "BUTTON" && event.key === " ")) return;
   const turn = player.views[0].data.frames > 1 ? 1 : 0;
   const acts = {
@@ -30,7 +30,7 @@ function pressed(player, event) {
   act();
 }
 
-/** Lets a view be turned, moved and zoomed by hand. */
+/** Adds pointer and wheel handlers that turn, move and zoom a view. */
 function grasp(player, host) {
   const touching = new Map();
   const { camera } = player.look;
@@ -65,7 +65,7 @@ function grasp(player, host) {
   host.addEventListener("pointerup", leave);
   host.addEventListener("pointercancel", leave);
   host.addEventListener("contextmenu", (event) => event.preventDefault());
-  // a page that is scrolled past the replay goes on scrolling: the wheel zooms once the replay is in hand
+  // zoom only in a focused view, so that a wheel that scrolls the page past the replay goes on scrolling
   host.addEventListener(
     "wheel",
     (event) => {

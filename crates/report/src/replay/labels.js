@@ -1,7 +1,7 @@
-// The names over a view: feature points, tractors, metres along the launch axis.
+// The labels over a view: feature points, tractors, metres along the launch axis.
 
 class Labels {
-  /** Labels of a view in its host, in the order of their importance: where two would overlap, the earlier is shown. */
+  /** The labels of a view, most important first: where two would overlap, only the earlier is shown. */
   constructor(view, host) {
     this.axis = view.data.axis;
     this.overlay = host.appendChild(document.createElement("div"));
@@ -28,10 +28,10 @@ class Labels {
     return { element, name, at, kind, size: null };
   }
 
-  /** Puts each label beside its place, on the first side that is free; points keep their dot where none is. */
+  /** Places each label on the first free side of its point. Without one, a feature point shows its dot alone. */
   place(m, width, height, look) {
     const taken = [];
-    // marks that lie one behind the other tell nothing
+    // hide the marks of an axis seen from its end: they cover each other
     const endOn = Math.abs(dot(look.camera.frame.back, this.axis)) > 0.97;
     for (const label of this.labels) {
       const { element, name, kind } = label;

@@ -1,13 +1,13 @@
-//! The replay: a run that the page plays in three dimensions.
+//! Packs a run into the page, which replays it in three dimensions.
 //!
 //! ```text
-//!  Scene ──▶ thin  fewer nodes inside ropes, where they are too many ─┐
-//!        └─▶ pack  whole numbers, differences in time, deflate      ◀─┴─▶ one element of base64
+//!  Scene ──▶ thin  leaves out nodes inside ropes where there are too many ─┐
+//!        └─▶ pack  whole numbers, differences in time, deflate           ◀─┴─▶ one element of base64
 //! ```
 //!
-//! The element is text that the browser leaves alone until `data.js` inflates it by the browser's own means.
-//! `view.js` draws it by WebGL 2, `player.js` is the clock and the camera, `controls.js` and
-//! `gestures.js` are what a reader has in hand.
+//! The element is text that the browser ignores until `data.js` inflates it with the browser's own functions.
+//! `view.js` draws the net with WebGL 2, `player.js` is the clock, `camera.js` the camera, `controls.js` the buttons
+//! and `gestures.js` the keys and pointers.
 
 mod pack;
 mod thin;
@@ -20,16 +20,16 @@ use thin::Drawn;
 
 use crate::results::Scene;
 
-/// What a page may spend on its replays, bytes of base64. A page of several designs divides it among them.
+/// Size limit of all replays of a page, bytes of base64. A page of several designs divides it among them.
 pub(crate) const BUDGET_BYTES: usize = 12_000_000;
 
-/// Segments that a screen is spared from beyond: what an ordinary graphics processor draws sixty times a second.
+/// Most segments of a replay: an ordinary graphics processor draws as many sixty times a second.
 const MOST_SEGMENTS: usize = 40_000;
 
-/// Frames that are kept before ropes are drawn with fewer nodes: below, slow motion would show its interpolation.
+/// With fewer frames than this, slow motion looks interpolated: nodes inside ropes are then left out instead of frames.
 const FRAMES_WORTH_KEEPING: usize = 120;
 
-/// The drawing in the browser: one script that defines `NetcastReplay` with `decode`, `View` and `Player`.
+/// The script that defines `NetcastReplay` with `decode`, `View` and `Player`.
 pub(crate) const SCRIPT: &str = concat!(
     "const NetcastReplay = (() => {\n\"use strict\";\n",
     include_str!("data.js"),
@@ -43,21 +43,21 @@ pub(crate) const SCRIPT: &str = concat!(
     "return { decode, View, Player };\n})();\n",
 );
 
-/// How views and controls look. Colours come from the variables of the page around them.
+/// The CSS of views and controls. The variables of the surrounding page give the colours.
 pub(crate) const STYLE: &str = include_str!("replay.css");
 
-/// A run, packed for the page.
+/// A run that is packed for the page.
 pub(crate) struct Replay {
-    /// The element to be given to `NetcastReplay.decode`.
+    /// The element for `NetcastReplay.decode`; empty where the run does not fit.
     pub element: String,
-    /// What of the run is not shown, a sentence; none where everything is.
+    /// A sentence on what is left out; none where the replay is complete.
     pub thinned: Option<String>,
 }
 
-/// The run in an element of this identity, of at most about `budget` bytes.
+/// Packs a run into an element with this id, of about `budget` bytes at most.
 ///
-/// Where it would be larger, frames are left out, and then nodes inside ropes; the frames of the largest area and of
-/// the largest tension always stay.
+/// A larger run loses frames first and then nodes inside ropes. The frames of the largest area and of the largest
+/// tension always stay.
 pub(crate) fn replay(scene: &Scene, id: &str, budget: usize) -> Replay {
     let segments = scene.fields.topology.segments.len();
     let mut sampling = Sampling { frames: 1, nodes: segments.div_ceil(MOST_SEGMENTS).max(1) };
@@ -70,7 +70,7 @@ pub(crate) fn replay(scene: &Scene, id: &str, budget: usize) -> Replay {
         }
         let excess = packed.len().div_ceil(budget);
         let frames = scene.frames().div_ceil(sampling.frames * excess);
-        // thinning on where it yields nothing more would not end
+        // thin further only while that removes nodes, so that the loop ends
         let coarser = Drawn::of(scene, sampling.nodes + 1);
         if frames < FRAMES_WORTH_KEEPING && coarser.nodes.len() < drawn.nodes.len() {
             sampling.nodes += 1;
@@ -86,7 +86,7 @@ pub(crate) fn replay(scene: &Scene, id: &str, budget: usize) -> Replay {
     }
 }
 
-/// What a reader is told of the frames and nodes that are not there.
+/// The sentence on the frames and nodes that are left out.
 fn thinned(scene: &Scene, sampling: Sampling) -> Option<String> {
     let frames =
         (sampling.frames > 1).then(|| format!("every {} of {} frames", ordinal(sampling.frames), scene.frames()));
@@ -123,10 +123,10 @@ mod tests {
 
     const SEGMENTS: usize = 600;
     const FRAMES: usize = 400;
-    /// The frame in which a tension is largest.
-    const LOUDEST: usize = 137;
+    /// The frame of the largest tension.
+    const HARDEST_FRAME: usize = 137;
 
-    /// A rope of three hundred segments a class, whose nodes wander where they will.
+    /// The motion of a rope whose nodes move without a pattern. Each of its two classes has 300 segments.
     fn position(frame: usize, node: usize) -> DVec3 {
         let (t, s) = (frame as f64 * 1e-3, node as f64);
         DVec3::new((3.0 * t + s).sin() + 0.01 * s, (5.0 * t + s * s).cos(), 40.0 * t + (7.0 * t * s).sin())
@@ -134,7 +134,7 @@ mod tests {
 
     fn tension(frame: usize, segment: usize) -> f64 {
         match (frame, segment) {
-            (LOUDEST, 5) => 5e4,
+            (HARDEST_FRAME, 5) => 5e4,
             _ if (frame + segment).is_multiple_of(3) => 0.0,
             _ => 0.7 * ((frame * 31 + segment * 17) % 997) as f64 + 0.6,
         }
@@ -201,9 +201,9 @@ mod tests {
         Results::read(dir.path()).unwrap().scene.expect("the folder has fields and landmarks")
     }
 
-    /// What a browser makes of the element: JSON, ends of the segments, positions and codes of tensions by frame.
+    /// The decoded element: JSON, ends of the segments, positions, m, and codes of tensions by frame.
     struct Unpacked {
-        told: Value,
+        meanings: Value,
         ends: Vec<u32>,
         positions: Vec<Vec<DVec3>>,
         tensions: Vec<Vec<u8>>,
@@ -221,13 +221,13 @@ mod tests {
         };
         let length = u32::from_le_bytes(take(4).try_into().unwrap()) as usize;
         assert_eq!(length % 4, 0, "the ends of segments are read as numbers of four bytes");
-        let told: Value = serde_json::from_slice(take(length)).unwrap();
-        let count = |name: &str| told[name].as_u64().unwrap() as usize;
+        let meanings: Value = serde_json::from_slice(take(length)).unwrap();
+        let count = |name: &str| meanings[name].as_u64().unwrap() as usize;
         let (frames, nodes, segments) = (count("frames"), count("nodes"), count("segments"));
         let ends = take(8 * segments).chunks(4).map(|end| u32::from_le_bytes(end.try_into().unwrap())).collect();
         take(segments);
         let (low, high) = (take(3 * nodes * frames), take(3 * nodes * frames));
-        let origin: Vec<f64> = told["origin_m"].as_array().unwrap().iter().map(|m| m.as_f64().unwrap()).collect();
+        let origin: Vec<f64> = meanings["origin_m"].as_array().unwrap().iter().map(|m| m.as_f64().unwrap()).collect();
         let mut steps: Vec<Vec<i32>> = Vec::new();
         for frame in 0..frames {
             let codes = (3 * nodes * frame..).take(3 * nodes).map(|at| i32::from(low[at]) + 256 * i32::from(high[at]));
@@ -242,26 +242,26 @@ mod tests {
         }
         let place = |row: &[i32], node: usize| {
             let along =
-                |axis: usize| origin[axis] + told["step_m"].as_f64().unwrap() * f64::from(row[axis * nodes + node]);
+                |axis: usize| origin[axis] + meanings["step_m"].as_f64().unwrap() * f64::from(row[axis * nodes + node]);
             DVec3::new(along(0), along(1), along(2))
         };
         let positions = steps.iter().map(|row| (0..nodes).map(|node| place(row, node)).collect()).collect();
         let tensions = (0..frames).map(|_| take(segments).to_vec()).collect();
         assert!(rest.is_empty());
-        Unpacked { told, ends, positions, tensions }
+        Unpacked { meanings, ends, positions, tensions }
     }
 
     #[test]
-    fn what_is_unpacked_is_what_was_simulated() {
+    fn an_unpacked_replay_equals_the_run_to_within_its_rounding() {
         let replay = replay(&scene(), "run", BUDGET_BYTES);
         assert_eq!(replay.thinned, None);
         assert!(replay.element.starts_with("<script type=\"application/octet-stream;base64\" id=\"run\">"));
-        let Unpacked { told, ends, positions, tensions } = unpacked(&replay);
-        let step = told["step_m"].as_f64().unwrap();
-        // the run is less than 20 m long: a third of a millimetre
+        let Unpacked { meanings, ends, positions, tensions } = unpacked(&replay);
+        let step = meanings["step_m"].as_f64().unwrap();
+        // the run is less than 20 m long, so a step is at most a third of a millimetre
         assert!(step < 20.0 / 65535.0);
         assert_eq!((positions.len(), ends[..4].to_vec()), (FRAMES, vec![0, 1, 1, 2]));
-        let largest = told["tension_max_n"].as_f64().unwrap();
+        let largest = meanings["tension_max_n"].as_f64().unwrap();
         assert_eq!(largest, 5e4);
         for frame in 0..FRAMES {
             for node in 0..=SEGMENTS {
@@ -275,8 +275,8 @@ mod tests {
                 assert!((shown - expected).abs() <= 0.024 * expected, "{shown} N for {expected} N");
             }
         }
-        assert_eq!(told["points"], serde_json::json!([{"name": "B", "nodes": [77]}]));
-        let body = &told["bodies"][0];
+        assert_eq!(meanings["points"], serde_json::json!([{"name": "B", "nodes": [77]}]));
+        let body = &meanings["bodies"][0];
         assert_eq!((&body["shape"], &body["size_m"]), (&"box".into(), &serde_json::json!([0.1, 0.2, 0.3])));
         let parts: Vec<f64> = body["turned"].as_array().unwrap().iter().map(|part| part.as_f64().unwrap()).collect();
         assert_eq!(parts.len(), 4 * FRAMES);
@@ -286,31 +286,32 @@ mod tests {
     }
 
     #[test]
-    fn what_only_threads_meet_lies_aside() {
+    fn nodes_without_ropes_or_meanings_are_listed_as_aside() {
         let Scene { fields, mut landmarks, .. } = scene();
         landmarks.classes[1].is_rope = false;
-        let told = unpacked(&replay(&Scene::new(fields, landmarks), "run", BUDGET_BYTES)).told;
-        // ropes as far as node 300; of what lies beyond, the outline and the tractor have a meaning
+        let meanings = unpacked(&replay(&Scene::new(fields, landmarks), "run", BUDGET_BYTES)).meanings;
+        // the ropes end at node 300; of the nodes beyond, the outline and the tractor have a meaning
         let aside: Vec<usize> = (301..SEGMENTS).filter(|&node| node != 400).collect();
-        assert_eq!(told["aside"], serde_json::json!(aside));
+        assert_eq!(meanings["aside"], serde_json::json!(aside));
     }
 
     #[test]
-    fn a_small_budget_takes_frames_but_not_the_largest_tension() {
+    fn a_small_budget_leaves_out_frames_but_not_that_of_the_largest_tension() {
         let whole = replay(&scene(), "run", BUDGET_BYTES).element.len();
         let replay = replay(&scene(), "run", 2 * whole / 5);
         assert!(replay.element.len() < 2 * whole / 5 + 100);
         assert_eq!(replay.thinned.as_deref(), Some("The replay holds every 3rd of 400 frames."));
         let unpacked = unpacked(&replay);
         let times: Vec<f64> =
-            unpacked.told["times_s"].as_array().unwrap().iter().map(|t| t.as_f64().unwrap()).collect();
-        let loudest = times.iter().position(|&time| time == LOUDEST as f64 * 1e-3).expect("the loudest frame stays");
-        assert_eq!(unpacked.tensions[loudest][5], 254);
+            unpacked.meanings["times_s"].as_array().unwrap().iter().map(|t| t.as_f64().unwrap()).collect();
+        let hardest = times.iter().position(|&time| time == HARDEST_FRAME as f64 * 1e-3);
+        let hardest = hardest.expect("the frame of the largest tension stays");
+        assert_eq!(unpacked.tensions[hardest][5], 254);
         assert_eq!(times.last(), Some(&0.399));
     }
 
     #[test]
-    fn a_smaller_budget_takes_nodes_inside_ropes() {
+    fn a_smaller_budget_leaves_out_nodes_inside_ropes() {
         let scene = scene();
         let whole = replay(&scene, "run", BUDGET_BYTES).element.len();
         let replay = replay(&scene, "run", whole / 10);
@@ -318,20 +319,20 @@ mod tests {
         let thinned = replay.thinned.as_deref().unwrap();
         assert!(thinned.contains("frames and every ") && thinned.ends_with(" node of a rope."), "{thinned}");
         let unpacked = unpacked(&replay);
-        // B is still where it was
-        let place = unpacked.told["points"][0]["nodes"][0].as_u64().unwrap() as usize;
+        // B has kept its position
+        let place = unpacked.meanings["points"][0]["nodes"][0].as_u64().unwrap() as usize;
         assert!((unpacked.positions[0][place] - position(0, 77)).length() < 1e-3);
         assert!(unpacked.positions[0].len() < SEGMENTS && unpacked.ends.len() == 2 * (unpacked.positions[0].len() - 1));
     }
 
     #[test]
-    fn a_budget_that_nothing_fits_ends() {
+    fn a_budget_too_small_for_any_replay_gives_none() {
         let replay = replay(&scene(), "run", 100);
         assert_eq!((replay.element.as_str(), replay.thinned.is_some()), ("", true));
     }
 
     #[test]
-    fn places_are_counted_in_english() {
+    fn ordinals_have_their_english_endings() {
         let places = [1, 2, 3, 4, 11, 12, 22, 101, 113].map(ordinal);
         assert_eq!(places, ["1st", "2nd", "3rd", "4th", "11th", "12th", "22nd", "101st", "113th"]);
     }

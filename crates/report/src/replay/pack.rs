@@ -1,4 +1,4 @@
-//! A run as few bytes: whole numbers on a grid, differences in time, deflate.
+//! Packs a run into few bytes: whole numbers on a grid, differences in time, deflate.
 //!
 //! ```text
 //!  u32          length of the JSON, little endian, as all that follows
@@ -8,10 +8,10 @@
 //!  u8 * s f     tensions [frame][segment]
 //! ```
 //!
-//! A position is a 16 bit number of steps in the cube that the run fills; what is kept is how far it lies from where
-//! its last two frames would have led it, modulo 2^16 and with the sign in the lowest bit. A tension is a place on a
-//! logarithmic scale: 0 is slack, 254 the largest of the run, 1 and less than a hundred-thousandth of it the same; 255
-//! is a segment that is gone.
+//! A position is a 16 bit number of steps in the cube that the run fills. The bytes hold its difference from the linear
+//! extrapolation of the last two frames, modulo 2^16, with the sign in the lowest bit. A tension is a code on a
+//! logarithmic scale: 0 is slack, 254 is the largest of the run, 1 is a hundred-thousandth of the largest or less, and
+//! 255 is a broken segment.
 
 use std::io::Write;
 
@@ -27,13 +27,13 @@ use crate::results::Scene;
 /// Orders of magnitude between the codes 1 and 254 of a tension.
 const TENSION_DECADES: f64 = 5.0;
 
-/// The code of a segment that broke.
-const GONE: u8 = 255;
+/// The code of a broken segment.
+const BROKEN: u8 = 255;
 
-/// The share of taut segments that the end of the linear tension scale leaves below it.
+/// Share of the tensions of taut ropes that are below the end of the linear scale.
 const LINEAR_SCALE_SHARE: f64 = 0.995;
 
-/// How much of a run is kept: every n-th frame, every n-th node inside a rope.
+/// The part of a run that is kept: every n-th frame, every n-th node inside a rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sampling {
     /// Stride of the frames.
@@ -42,7 +42,7 @@ pub(crate) struct Sampling {
     pub nodes: usize,
 }
 
-/// The run, deflated, with every `stride`-th frame.
+/// The deflated bytes of a run with every `stride`-th frame.
 pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize) -> Vec<u8> {
     let frames = kept_frames(scene, stride);
     let grid = Grid::around(scene, drawn, &frames);
@@ -55,7 +55,9 @@ pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize) -> Vec<u8> {
     put(&(meanings.len() as u32).to_le_bytes());
     put(meanings.as_bytes());
     for segment in &drawn.segments {
-        segment.ends.iter().for_each(|end| put(&end.to_le_bytes()));
+        for end in segment.ends {
+            put(&end.to_le_bytes());
+        }
     }
     put(&drawn.segments.iter().map(|segment| segment.class as u8).collect::<Vec<u8>>());
     let positions = grid.differences(scene, drawn, &frames);
@@ -68,7 +70,7 @@ pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize) -> Vec<u8> {
     deflated.finish().expect("memory takes what it is given")
 }
 
-/// Every `stride`-th frame, the last, and those of the largest area and of the largest tension.
+/// Every `stride`-th frame, the last one, and those of the largest area and of the largest tension.
 fn kept_frames(scene: &Scene, stride: usize) -> Vec<usize> {
     let last = scene.frames() - 1;
     let largest = |value: &dyn Fn(usize) -> f64| {
@@ -91,7 +93,7 @@ fn area(scene: &Scene, frame: usize) -> Option<f64> {
     Some(area.dot(scene.landmarks.axis).abs())
 }
 
-/// The cube that the run fills, in 2^16 steps a side.
+/// The cube that the run fills, with 2^16 grid planes along each side.
 struct Grid {
     origin: DVec3,
     step: f64,
@@ -105,17 +107,17 @@ impl Grid {
         };
         let low = all().reduce(DVec3::min).unwrap_or_default();
         let high = all().reduce(DVec3::max).unwrap_or_default();
-        // where nothing extends anywhere, any step will do
+        // a run at a single point can have any step
         let size = (high - low).max_element();
         Self { origin: low, step: if size > 0.0 { size / f64::from(u16::MAX) } else { 1.0 } }
     }
 
-    /// The place of a position on the grid. A run that failed may end in no number at all, which lies at the origin.
+    /// The grid coordinates of a position. A failed run may end in NaN, which becomes 0.
     fn place(&self, position: DVec3) -> [u16; 3] {
         ((position - self.origin) / self.step).round().to_array().map(|steps| steps as u16)
     }
 
-    /// How far each position lies from where its last two frames would have led it, `[frame][axis][node]`.
+    /// The difference of each position from the linear extrapolation of its last two frames, `[frame][axis][node]`.
     fn differences(&self, scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Vec<u16> {
         let mut differences = Vec::with_capacity(3 * drawn.nodes.len() * frames.len());
         let mut last = vec![[0u16; 3]; drawn.nodes.len()];
@@ -139,7 +141,7 @@ impl Grid {
     }
 }
 
-/// A difference with its sign in the lowest bit, so that small ones of either sign are small numbers.
+/// A difference with its sign in the lowest bit, so that small differences of either sign are small numbers.
 fn folded(difference: u16) -> u16 {
     let signed = difference as i16;
     ((signed << 1) ^ (signed >> 15)) as u16
@@ -147,14 +149,14 @@ fn folded(difference: u16) -> u16 {
 
 /// The scale of the tensions.
 struct Tensions {
-    /// The largest tension of a rope, N; at least what keeps its logarithm a number.
+    /// The largest tension of a rope, N; at least 1e-9, so that its logarithm is finite.
     largest: f64,
-    /// The tension that all but few of the taut ropes stay below, N.
+    /// End of the linear scale, N: a share [`LINEAR_SCALE_SHARE`] of the taut tensions is below it.
     linear_top: f64,
 }
 
 impl Tensions {
-    /// The scale of what the ropes bear; members of canopies, which are none, may go beyond it.
+    /// The scale of the tensions of ropes; those of canopy members, ties and stitches may exceed it.
     fn of(scene: &Scene, drawn: &Drawn, frames: &[usize]) -> Self {
         let parts = drawn.segments.iter().flat_map(|segment| segment.parts.iter().copied());
         let ropes: Vec<usize> = parts.filter(|part| scene.is_rope(*part)).collect();
@@ -167,7 +169,7 @@ impl Tensions {
 
     fn code(&self, tension: f64) -> u8 {
         if tension.is_nan() {
-            GONE
+            BROKEN
         } else if tension > 0.0 {
             let decades = (tension / self.largest).log10() + TENSION_DECADES;
             (1.0 + 253.0 * decades / TENSION_DECADES).round().clamp(1.0, 254.0) as u8
@@ -178,14 +180,14 @@ impl Tensions {
 
     fn codes(&self, scene: &Scene, drawn: &Drawn, frame: usize) -> Vec<u8> {
         let tensions = scene.fields.tensions(frame);
-        // what stands for several is gone with the first of them
+        // NaN, a broken segment, prevails: a drawn segment breaks with the first of its parts
         let larger = |one: f64, other: f64| if other > one || other.is_nan() { other } else { one };
         let largest = |parts: &[usize]| parts.iter().map(|&part| tensions[part]).fold(0.0, larger);
         drawn.segments.iter().map(|segment| self.code(largest(&segment.parts))).collect()
     }
 }
 
-/// All that is not an array of bytes.
+/// The JSON of all that is not an array of bytes.
 fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tensions: &Tensions) -> Value {
     let landmarks = &scene.landmarks;
     let place = |node: &usize| drawn.nodes.binary_search(node).expect("what has a meaning is drawn");
@@ -267,11 +269,11 @@ mod tests {
     }
 
     #[test]
-    fn tensions_keep_their_ratios() {
+    fn codes_of_tensions_are_logarithmic() {
         let scale = Tensions { largest: 1e5, linear_top: 1e4 };
-        assert_eq!([-3.0, 0.0, f64::NAN].map(|slack| scale.code(slack)), [0, 0, GONE]);
+        assert_eq!([-3.0, 0.0, f64::NAN].map(|tension| scale.code(tension)), [0, 0, BROKEN]);
         assert_eq!([1e-4, 1.0, 1e5, 2e5].map(|tension| scale.code(tension)), [1, 1, 254, 254]);
-        // to the nearest code
+        // equal ratios differ by equally many codes, to within rounding
         assert!((scale.code(10.0) - scale.code(1.0)).abs_diff(scale.code(1e4) - scale.code(1e3)) <= 1);
     }
 }

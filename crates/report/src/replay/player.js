@@ -1,23 +1,24 @@
-// One clock and one camera over all views.
+// The player: one clock and one camera for all views.
 
-/** How long a run takes to watch at the speed it starts with, s. */
+/** Time that the whole run takes at the first speed, s. */
 const WATCHED_S = 8;
-/** The least of 1, 2, 5, 10 ... that is not below a value. */
+/** The smallest of ..., 1, 2, 5, 10, ... that is at least `value`. */
 function roundedUp(value) {
   return niceStep(value, 1);
 }
 
 class Player {
   /**
-   * Plays views in step and builds the controls in `host`.
+   * Plays several views in step and builds the controls in `host`.
    *
-   * `seek(time)`, `play()`, `pause()`, `onTime(callback)`, `time`, `playing`; `framesPerSecond` while it plays.
+   * The page uses `seek(time)`, `play()`, `pause()`, `onTime(callback)`, `time` and `playing`; its tests read
+   * `framesPerSecond`.
    */
   constructor(views, host) {
     this.views = views;
     this.host = host;
     this.duration = Math.max(...views.map(({ data }) => data.duration));
-    // frames are stepped through where there are most
+    // a step of one frame is a step of the view with the most frames
     this.times = views
       .map(({ data }) => data.times)
       .reduce((most, times) => (times.length > most.length ? times : most));
@@ -64,27 +65,27 @@ class Player {
       this.redraw();
     };
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
-    // what is seen first is the web at its largest; the first play begins at the beginning
+    // show the web at its largest first; the first play starts at time 0
     this.untouched = true;
     this.seek(this.largest());
     this.untouched = true;
   }
 
-  /** When the first web is largest; the end where it only shrinks or has no area. */
+  /** The time at which the first web is largest, s; the end where it only shrinks or has no area. */
   largest() {
     const { areas, times } = this.views[0].data;
     const place = areas.reduce((largest, area, frame) => (area > areas[largest] ? frame : largest), 0);
     return place > 0 ? times[place] : this.duration;
   }
 
-  /** The speed at which a run takes about eight seconds to watch. */
+  /** The rounded speed at which the run takes about `WATCHED_S`, as simulated time over real time. */
   usualSpeed() {
     const wanted = this.duration / WATCHED_S;
     if (!(wanted > 0)) return 1;
     return wanted > 1 ? Math.round(wanted) : 1 / Math.max(1, Math.round(1 / wanted));
   }
 
-  /** Calls back with the time whenever it changes, and once now. */
+  /** Calls back with the time, s, whenever it changes, and once now. */
   onTime(callback) {
     this.listeners.push(callback);
     callback(this.time);
@@ -129,7 +130,7 @@ class Player {
     if (this.requested === 0) this.requested = requestAnimationFrame((now) => this.drawn(now));
   }
 
-  /** A frame of the screen. */
+  /** Advances the clock and draws a frame of the screen. */
   drawn(now) {
     this.requested = 0;
     if (this.playing) {
@@ -146,14 +147,14 @@ class Player {
     }
     for (const view of this.views) view.draw(this.time, this.look);
     this.controls.show();
-    if (this.time !== this.told) {
-      this.told = this.time;
+    if (this.time !== this.notified) {
+      this.notified = this.time;
       for (const callback of this.listeners) callback(this.time);
     }
     if (this.playing) this.redraw();
   }
 
-  /** Keeps account of the frames a second, over half a second or more. */
+  /** Measures the frames per second over half a second or more. */
   count(now) {
     this.counted.frames++;
     const seconds = (now - this.counted.since) / 1e3;
@@ -163,7 +164,7 @@ class Player {
     this.counted = null;
   }
 
-  /** Takes the page's colours anew. */
+  /** Reads the colours from the page's style. */
   restyle() {
     const style = getComputedStyle(this.host);
     const canvas = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
@@ -197,7 +198,7 @@ class Player {
     };
   }
 
-  /** Colours the ropes by tension on a scale that is `log` or `linear`, or by link `class`. */
+  /** Colours the ropes by tension on a `log` or `linear` scale, or by link `class`. */
   colourBy(mode) {
     this.look.mode = mode;
     this.look.scale = this.scales[mode] ?? this.scales.log;
@@ -206,11 +207,11 @@ class Player {
     this.redraw();
   }
 
-  /** Keeps the middle of the `web`, of the `tractors` or of `nothing` in the middle. */
+  /** Follows the middle of the `web` or of the `tractors`, or `nothing`. */
   follow(what) {
     const { look } = this;
     if (what === "nothing") {
-      // stays where it is
+      // keep the current target
       const view = this.views[0];
       const middles = look.follow === "tractors" ? view.data.tractorMiddles : view.data.middles;
       if (look.follow !== "nothing") look.stay = [0, 1, 2].map((axis) => view.atMoment(middles, 3, axis));

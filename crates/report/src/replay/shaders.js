@@ -1,17 +1,17 @@
-// The programs of the graphics processor. Ropes are rectangles of a width in pixels, whose edges fade over one pixel.
-// They are six vertices each in one long list, not instances: processors in software take instances one by one.
+// The programs of the graphics processor. A rope segment is a rectangle with a width in pixels; its edges fade over one
+// pixel. Each has six vertices in one long list, without instancing: software renderers draw instances one by one.
 
 const THICK = `
 uniform mat4 uCamera; uniform vec2 uSize; uniform float uNear;
 out float vAcross; out float vHalf;
 const int CORNERS[6] = int[6](0, 1, 2, 2, 1, 3);
-/** Places this vertex of the rectangle along a to b, longer by cap pixels; corners 0, 1 are at a, 2, 3 at b. */
+/** Places this vertex of the rectangle from a to b, extended by cap pixels; corners 0, 1 are at a, 2, 3 at b. */
 void thick(vec3 from, vec3 to, float width, float cap) {
   int corner = CORNERS[gl_VertexID % 6];
   vec4 a = uCamera * vec4(from, 1.0), b = uCamera * vec4(to, 1.0);
   vHalf = 0.5 * width;
   if (a.w < uNear && b.w < uNear) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
-  // what lies behind the eye has no place on the screen
+  // cut off the part behind the eye, which has no place on the screen
   if (a.w < uNear) a = mix(a, b, (uNear - a.w) / (b.w - a.w));
   if (b.w < uNear) b = mix(b, a, (uNear - b.w) / (a.w - b.w));
   vec2 pa = 0.5 * uSize * a.xy / a.w, pb = 0.5 * uSize * b.xy / b.w, along = pb - pa;
@@ -26,7 +26,7 @@ void thick(vec3 from, vec3 to, float width, float cap) {
 
 const COVERAGE = `
 in float vAcross; in float vHalf;
-/** A line thinner than a pixel is as much fainter. */
+/** Coverage of the pixel; a line thinner than a pixel is fainter instead. */
 float coverage() {
   float shown = max(vHalf, 0.5);
   return clamp(shown + 0.5 - abs(vAcross), 0.0, 1.0) * min(1.0, vHalf / 0.5);
@@ -49,18 +49,18 @@ vec3 position(uint node) {
   ivec2 at = cell(int(node));
   return uOrigin + uStep * mix(vec3(texelFetch(uBefore, at, 0).xyz), vec3(texelFetch(uAfter, at, 0).xyz), uBetween);
 }
-/** The tension's logarithm to base ten, over that of the run's largest; beyond uDecades below, slack. */
+/** log10 of the tension over the run's largest; -1000 for a slack segment. */
 float tension(uint before, uint after) {
-  // a segment that breaks keeps its tension until then
+  // a segment that breaks keeps its last tension until the break
   float code = after == 255u ? float(before) : mix(float(before), float(after), uBetween);
   return code < 0.5 ? -1e3 : uDecades * (max(code, 1.0) - 254.0) / 253.0;
 }
 void main() {
   ivec2 at = cell(gl_VertexID / 6);
   uint before = texelFetch(uTensionBefore, at, 0).x, after = texelFetch(uTensionAfter, at, 0).x;
-  // one that is gone is not drawn
+  // a broken segment is not drawn
   if (before == 255u) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
-  // two nodes, link class, whether it is a member of a canopy and no rope
+  // two nodes, link class, and 1 where the segment is not a rope
   uvec4 segment = texelFetch(uSegments, at, 0);
   float width = uWidth, pull = tension(before, after);
   bool member = segment.w > 0u, slack = pull < -100.0;
@@ -72,7 +72,7 @@ void main() {
     vColour = texture(uColours, vec2(clamp(share, 0.002, 0.998), 0.5));
   }
   vec3 a = position(segment.x), b = position(segment.y);
-  // nearer ropes are a little wider
+  // nearer ropes are wider
   float depth = (uCamera * vec4(0.5 * (a + b), 1.0)).w;
   width *= clamp(uDistance / max(depth, 1e-3), 0.7, 2.5);
   thick(a, b, width, 0.5 * width);
@@ -119,7 +119,7 @@ uniform mat4 uCamera; uniform float uMetresAPixel, uDistance, uLeast;
 out vec3 vNormal; out vec3 vColour;
 void main() {
   float depth = max((uCamera * vec4(aMiddle, 1.0)).w, 1e-3);
-  // of its true size, and never so small that it could not be seen
+  // draw the true size unless it is too small to be seen
   float grow = max(1.0, uLeast * uMetresAPixel * depth / uDistance / max(aSize.x, 1e-6));
   mat3 turned = mat3(aX, aY, aZ);
   vec3 place = aMiddle + turned * (aSize * grow * aPlace);
@@ -146,7 +146,7 @@ void main() { colour = vec4(uColour.rgb * uColour.a, uColour.a); }`,
   ],
 };
 
-/** A program and where its uniforms are. */
+/** Compiles a program; returns it with the locations of its uniforms. */
 function program(gl, [vertex, fragment]) {
   const made = gl.createProgram();
   for (const [kind, source] of [

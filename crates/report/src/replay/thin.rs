@@ -1,7 +1,7 @@
-//! Which nodes and segments a replay draws: all, or only every n-th node inside a rope.
+//! Chooses the nodes and segments that a replay draws: all, or every n-th node inside a rope.
 //!
-//! Knots, ends and whatever has a meaning of its own always stay. The segments between two nodes that stay become one,
-//! which shows the largest tension of them.
+//! Knots, ends and nodes that a landmark names always stay. The segments between two kept nodes become one drawn
+//! segment with the largest of their tensions.
 
 use std::collections::BTreeSet;
 
@@ -25,7 +25,7 @@ pub(crate) struct DrawnSegment {
 pub(crate) struct Drawn {
     /// The nodes of the run that are drawn, in their order.
     pub nodes: Vec<usize>,
-    /// What is drawn between them.
+    /// The segments between them.
     pub segments: Vec<DrawnSegment>,
 }
 
@@ -35,7 +35,7 @@ impl Drawn {
         let topology = &scene.fields.topology;
         let thinned =
             thin(topology.nodes, &topology.segments, &topology.classes, &meaningful(&scene.landmarks), stride);
-        // a node that only segments left out have met is not drawn
+        // drop the nodes at which no drawn segment ends
         let mut place = vec![u32::MAX; topology.nodes];
         let used: BTreeSet<usize> =
             thinned.iter().flat_map(|(ends, _)| *ends).chain(meaningful(&scene.landmarks)).collect();
@@ -54,7 +54,7 @@ impl Drawn {
     }
 }
 
-/// The nodes that something is said about.
+/// The nodes that a landmark names.
 fn meaningful(landmarks: &Landmarks) -> BTreeSet<usize> {
     let groups = landmarks.outline.iter().chain(landmarks.points.iter().map(|point| &point.nodes));
     let canopies = landmarks.canopies.iter().flat_map(|canopy| canopy.faces()).flatten();
@@ -69,7 +69,8 @@ fn meaningful(landmarks: &Landmarks) -> BTreeSet<usize> {
         .collect()
 }
 
-/// Pairs of nodes that stay, and the segments that lie between them.
+/// Pairs of kept nodes, each with the segments between them. Inside a rope every `stride`-th node is kept; `kept` holds
+/// further nodes to keep.
 fn thin(
     nodes: usize,
     segments: &[[u32; 2]],
@@ -83,14 +84,14 @@ fn thin(
             meeting[node as usize].push(segment);
         }
     }
-    // inside a rope exactly two segments of one class meet
+    // a node inside a rope has exactly two segments, of one class
     let inside = |node: usize| {
         let two = &meeting[node];
         two.len() == 2 && classes[two[0]] == classes[two[1]] && !kept.contains(&node)
     };
     let mut taken = vec![false; segments.len()];
     let mut drawn = Vec::new();
-    // ropes from their ends first; what is left then are loops without a knot
+    // follow ropes from their ends first; the rest are loops without a knot
     let from_knots = |segment: &usize| segments[*segment].iter().any(|&node| !inside(node as usize));
     let (first, loops): (Vec<usize>, Vec<usize>) = (0..segments.len()).partition(from_knots);
     for start in first.into_iter().chain(loops) {

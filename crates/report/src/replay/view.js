@@ -1,13 +1,13 @@
-// One net on one canvas: ropes, canopies, bodies, the shaded outline, the ground or the muzzle plane, and labels over it.
+// Draws one net on one canvas: ropes, canopies, bodies, the shaded outline, the ground or the muzzle plane, and labels.
 
-/** The step of 1, 2, 5, 10 ... that divides a length into at most so many parts. */
+/** The smallest of ..., 1, 2, 5, 10, ... that divides a length into at most `parts` parts. */
 function niceStep(length, parts) {
   const rough = Math.max(length, 1e-9) / parts,
     decade = 10 ** Math.floor(Math.log10(rough));
   return [1, 2, 5, 10].map((step) => step * decade).find((step) => step >= rough * (1 - 1e-9));
 }
 
-/** A cylinder of diameter 1 and height 1 about the origin: places and normals, triangle by triangle. */
+/** A cylinder of diameter 1 and height 1 about the origin: positions and normals, triangle by triangle. */
 function cylinder(sides) {
   const mesh = [];
   const at = (side) => [Math.cos((2 * Math.PI * side) / sides), Math.sin((2 * Math.PI * side) / sides)];
@@ -28,7 +28,7 @@ function cylinder(sides) {
   return new Float32Array(mesh);
 }
 
-/** A cube of side 1 about the origin, as a cylinder is given. */
+/** A cube of side 1 about the origin, in the format of `cylinder`. */
 function cube() {
   const mesh = [];
   for (let axis = 0; axis < 3; axis++) {
@@ -44,7 +44,7 @@ function cube() {
   return new Float32Array(mesh);
 }
 
-/** A sphere of diameter 1 about the origin, as a cylinder is given. */
+/** A sphere of diameter 1 about the origin, in the format of `cylinder`. */
 function sphere(sides) {
   const mesh = [];
   const at = (side, ring) => {
@@ -60,9 +60,9 @@ function sphere(sides) {
   return new Float32Array(mesh);
 }
 
-/** The axes of a body in the world, from its orientations in two frames, [x, y, z, w] each, and the share between. */
+/** The world axes of a body, interpolated between its orientations in two frames, [x, y, z, w] each. */
 function turnedAxes(now, next, between) {
-  // the shorter way round: a quaternion and its negative are the same orientation
+  // a quaternion and its negative are the same orientation: take the one with the shorter rotation
   const sign = now.reduce((sum, part, place) => sum + part * next[place], 0) < 0 ? -1 : 1;
   const mixed = now.map((part, place) => part + between * (sign * next[place] - part));
   const length = Math.hypot(...mixed);
@@ -76,21 +76,21 @@ function turnedAxes(now, next, between) {
 
 class View {
   /**
-   * Shows a decoded run in `host`. `options.title` is written in a corner, for pages of several.
+   * Shows a decoded run in `host`. `options.title` appears in a corner, for pages with several views.
    *
-   * Nothing is drawn until a Player has the view. Without WebGL 2 the host says so and all else goes on.
+   * A Player has to draw the view. Without WebGL 2 the host shows a message and the rest of the page works.
    */
   constructor(host, data, options = {}) {
     this.host = host;
     this.data = data;
-    /** Set by the player: asks for another drawing. */
+    /** Requests a redraw; the player sets it. */
     this.stale = () => {};
     host.classList.add("replay-view");
     this.canvas = host.appendChild(document.createElement("canvas"));
     if (options.title) this.note("replay-title", options.title);
     this.state = this.note("replay-state", "");
     this.tick = niceStep(Math.max(data.travel[1] - data.travel[0], data.reach), 8);
-    /** How far the launch axis is drawn, and where it has marks, m. */
+    /** The ends of the drawn launch axis, m along it. */
     this.axisEnds = [data.travel[0], data.travel[1] + data.reach / 4];
     const [first, last] = [Math.ceil(this.axisEnds[0] / this.tick), Math.floor(this.axisEnds[1] / this.tick)];
     this.marks = Array.from({ length: last - first + 1 }, (_, place) => (first + place) * this.tick);
@@ -123,7 +123,7 @@ class View {
     return note;
   }
 
-  /** Puts what stays the same into the graphics processor's memory. */
+  /** Loads the constant data into the memory of the graphics processor. */
   build() {
     const { gl, data } = this;
     this.programs = Object.fromEntries(Object.entries(SHADERS).map(([name, sources]) => [name, program(gl, sources)]));
@@ -159,7 +159,7 @@ class View {
     this.sheets = this.arrays([{ buffer: this.sheetBuffer, sizes: [3] }]);
   }
 
-  /** A texture, bound, that is read so between its cells. */
+  /** Makes and binds a texture with this filter between its texels. */
   texture(filter) {
     const { gl } = this;
     const texture = gl.createTexture();
@@ -169,7 +169,7 @@ class View {
     return texture;
   }
 
-  /** Two textures that take turns in holding frames. */
+  /** Two textures that hold the two current frames. */
   turns(inner, format, type, frames) {
     const { gl } = this;
     const height = frames[0].length / ROW / (format === gl.RGB_INTEGER ? 3 : 1);
@@ -181,7 +181,7 @@ class View {
     return { slots, frames, height, format, type };
   }
 
-  /** A vertex array of numbers; buffers hold one attribute after the other, `each` is for one an instance. */
+  /** Makes a vertex array. A buffer interleaves attributes of the given sizes; with `each` they advance by instance. */
   arrays(buffers) {
     const { gl } = this;
     const made = gl.createVertexArray();
@@ -205,8 +205,8 @@ class View {
   }
 
   /**
-   * Where the grid lies: a point and two directions, how far it spans along each and how far one sees on it, m. It is the
-   * ground below all that the web flies over, where there is ground; else the muzzle's plane.
+   * The plane of the grid: a point, two directions, its spans along each, m, and the distance at which it fades, m. It
+   * is the ground below the whole flight where there is ground, and else the muzzle plane.
    */
   floor() {
     const { data } = this;
@@ -220,7 +220,7 @@ class View {
     return { level: [0, 0, data.ground], flat: [[1, 0, 0], [0, 1, 0]], spans, sight };
   }
 
-  /** The vertices of grid and launch axis with its marks: from, to, strength and whether it fades. */
+  /** The vertices of the grid and of the launch axis with its marks: from, to, strength, and 1 where the line fades. */
   scenery() {
     const { data } = this;
     const [one, other, axis] = this.axes();
@@ -238,7 +238,7 @@ class View {
       for (let place = first; place <= last; place++) {
         const aside = add(level, scaled(flat[1 - along], place * grid));
         const at = (step) => add(aside, scaled(flat[along], step * grid));
-        // in pieces, so that each fades by where it is
+        // in pieces, so that the line fades along its length
         for (let piece = start; piece < end; piece++) line(at(piece), at(piece + 1), place === 0 ? 1 : 0.6, 1);
       }
     }
@@ -253,14 +253,14 @@ class View {
     return lines;
   }
 
-  /** Two directions across the launch axis, and the axis. */
+  /** Two unit vectors normal to the launch axis, and the axis. */
   axes() {
     const axis = this.data.axis;
     const one = unit(cross(Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0], axis));
     return [one, cross(axis, one), axis];
   }
 
-  /** Where a node is at the time shown, m. */
+  /** The position of a node at the current time, m. */
   place(node) {
     const { data, moment } = this;
     const [now, next] = [data.positions[moment.frame], data.positions[moment.next]];
@@ -270,20 +270,20 @@ class View {
     });
   }
 
-  /** A value of each frame, at the time shown; `width` and `part` choose one of several. */
+  /** Interpolates a value at the current time; a frame has `width` values, of which `part` is taken. */
   atMoment(values, width = 1, part = 0) {
     const { frame, next, between } = this.moment;
     const [now, then] = [values[width * frame + part], values[width * next + part]];
     return now === null || then === null ? null : now + between * (then - now);
   }
 
-  /** Area of the outline as a share of the flat web's, at the time shown. */
+  /** Area of the outline over the area of the flat web at the current time. */
   get openShare() {
     const area = this.atMoment(this.data.areas);
     return area === null || !this.data.referenceArea ? null : area / this.data.referenceArea;
   }
 
-  /** Draws a moment as the player's look says. */
+  /** Draws the net at a time, s, with the player's camera, colours and options. */
   draw(time, look) {
     this.moment = frameAt(this.data, time);
     this.say();
@@ -299,7 +299,7 @@ class View {
     const followed = { web: this.data.middles, tractors: this.data.tractorMiddles }[look.follow];
     const target = followed ? [0, 1, 2].map((axis) => this.atMoment(followed, 3, axis)) : look.stay;
     const matrix = look.camera.matrix(target, width, height);
-    // the ground is seen below what is looked at, the muzzle's plane about the muzzle
+    // the ground fades away from the target, the muzzle plane away from the muzzle
     const [x, y] = add(target, look.camera.pan);
     const seen = this.data.ground === null ? [0, 0, 0] : [x, y, this.data.ground];
     const scene = { matrix, ratio, size: [wide, high], look, seen };
@@ -333,7 +333,7 @@ class View {
     return uniforms;
   }
 
-  /** Binds the textures of the two frames around the moment, loading what is not there yet. */
+  /** Binds the textures of the frames before and after the current time, and loads those that are missing. */
   bindFrames(store, unitBefore, unitAfter) {
     const { gl } = this;
     const { frame, next } = this.moment;
@@ -360,17 +360,16 @@ class View {
     this.bindFrames(this.frames, 0, 1);
     this.bindFrames(this.pulls, 2, 3);
     this.paint(look);
-    [this.colours, this.classColours, this.segments].forEach((texture, place) => {
+    for (const [place, texture] of [this.colours, this.classColours, this.segments].entries()) {
       gl.activeTexture(gl.TEXTURE4 + place);
       gl.bindTexture(gl.TEXTURE_2D, texture);
-    });
-    ["uBefore", "uAfter", "uTensionBefore", "uTensionAfter", "uColours", "uClassColours", "uSegments"].forEach(
-      (name, place) => gl.uniform1i(uniforms[name], place),
-    );
+    }
+    const samplers = ["uBefore", "uAfter", "uTensionBefore", "uTensionAfter", "uColours", "uClassColours", "uSegments"];
+    for (const [place, name] of samplers.entries()) gl.uniform1i(uniforms[name], place);
     gl.uniform1f(uniforms.uBetween, this.moment.between);
     gl.uniform1f(uniforms.uStep, data.step);
     gl.uniform3fv(uniforms.uOrigin, data.origin);
-    // a crowded net is drawn with finer lines
+    // a dense net has thinner lines
     const crowd = Math.sqrt(2500 / Math.max(2500, data.segments));
     gl.uniform1f(uniforms.uWidth, ratio * (0.9 + 0.9 * crowd));
     gl.uniform1f(uniforms.uDistance, look.camera.distance);
@@ -384,7 +383,7 @@ class View {
     gl.drawArrays(gl.TRIANGLES, 0, 6 * data.segments);
   }
 
-  /** Brings the colours of tensions and link classes into their textures, where the theme has changed. */
+  /** Loads the colours of tensions and link classes into their textures if the theme has changed. */
   paint({ colours, classes }) {
     if (this.painted === colours) return;
     const { gl } = this;
@@ -442,7 +441,7 @@ class View {
     }
   }
 
-  /** Canopies, and the outline where the web is open. */
+  /** Draws the canopies, and the outline while the web is open. */
   drawSheets(scene) {
     const { gl, data } = this;
     const { look } = scene;
@@ -470,7 +469,7 @@ class View {
     }
   }
 
-  /** Tells in a corner how far the web is open. */
+  /** Shows in a corner how far the web is open. */
   say() {
     const area = this.atMoment(this.data.areas),
       share = this.openShare;
