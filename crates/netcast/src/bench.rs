@@ -1,9 +1,8 @@
-//! How fast this machine is at this work, and how near to its limit.
+//! Measures the speed of the simulator on this machine, and compares it with a limit.
 //!
-//! An *update* is one segment advanced by one step with all physics of a plain launch: tension, damping, gravity, mass
-//! damping, the sums of the energy ledger. The *limit* is one unbroken rope of as many segments in the same run: the
-//! same arithmetic on contiguous data at the same vector width, without knots, as fast as one thread advances it, times
-//! the threads.
+//! An *update* advances one segment by one step with all physics of a plain launch: tension, damping, gravity, mass
+//! damping, the sums of the energy ledger. The *limit* comes from one rope without knots and with as many segments. Its
+//! arithmetic and vector width are the same, on contiguous data. It is the rate of one thread times the threads.
 
 use std::time::{Duration, Instant};
 
@@ -20,14 +19,14 @@ use serde::Serialize;
 use crate::case::Case;
 use crate::sections::{Body, Launch, Rope, Stow, Web};
 
-/// Mesh sides along a side of the nets that are measured: 840, 3968, 29 928 and 119 024 segments.
+/// Meshes along a side of the nets that are measured: 840, 3968, 29 928 and 119 024 segments.
 pub const MESHES: [usize; 4] = [14, 31, 86, 172];
 
-/// Rounds in which net and limit are measured in turn. The best of each counts: what disturbs a machine only slows it.
+/// Rounds that measure net and limit in turn. The best of each counts, because disturbances only slow a machine.
 const ROUNDS: usize = 7;
 
-/// Time of one measurement.
-const SPELL: Duration = Duration::from_millis(120);
+/// Least time of one measurement.
+const MEASURED: Duration = Duration::from_millis(120);
 
 /// One line of the bench.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -36,19 +35,19 @@ pub struct Measurement {
     pub segments: usize,
     /// Threads used.
     pub threads: usize,
-    /// Runs at the same time; with several, each has one of the threads.
+    /// Simultaneous runs; with several, each has one of the threads.
     pub runs: usize,
-    /// Segments advanced by one step, over all runs, 1/s.
+    /// Updates of all runs, 1/s.
     pub updates_per_s: f64,
-    /// The same for an unbroken rope on one thread, times the threads, 1/s.
+    /// Updates of a rope without knots on one thread, times the threads, 1/s.
     pub limit_updates_per_s: f64,
-    /// One over the other.
+    /// `updates_per_s` over `limit_updates_per_s`.
     pub fraction_of_limit: f64,
     /// Width of the vectors that the engine uses here.
     pub vector_bits: u32,
 }
 
-/// Whether one run of the net with `meshes` mesh sides a side is shared between threads; a smaller net stays on one.
+/// Whether one run of the net with `meshes` meshes along a side is shared among threads; a smaller net uses one.
 ///
 /// # Errors
 /// As [`measure`].
@@ -56,11 +55,11 @@ pub fn is_shared(meshes: usize) -> Result<bool, Diagnostics> {
     Ok(net(meshes)?.model().system.layout().slot_count() >= LEAST_SLOTS_FOR_THREADS)
 }
 
-/// Measures a square net of `meshes` by `meshes` mesh sides, two segments each, on `threads` threads: one run on all of
-/// them, or `runs` at the same time, one a thread.
+/// Measures a square net of `meshes` by `meshes` meshes, with two segments in each mesh side, on `threads` threads: one
+/// run on all of them, or `runs` simultaneous runs with one thread each.
 ///
 /// # Errors
-/// None that a user could cause; [`Diagnostics`] where the scenario of the bench is refused.
+/// [`Diagnostics`] where the scenario of the bench is wrong; no user can cause that.
 pub fn measure(meshes: usize, threads: usize, runs: usize) -> Result<Measurement, Diagnostics> {
     let case = net(meshes)?;
     let net = case.model();
@@ -86,17 +85,17 @@ pub fn measure(meshes: usize, threads: usize, runs: usize) -> Result<Measurement
     })
 }
 
-/// Updates a second of all of these at the same time.
+/// Updates of simultaneous steppers in all, 1/s.
 fn rate(steppers: &mut [Stepper]) -> f64 {
     let one = |stepper: &mut Stepper| {
         let segments = stepper.system().segments().len();
-        // enough steps between two looks at the clock that the clock costs nothing
+        // read the clock so rarely that reading it costs nothing
         let between = (200_000 / segments).max(1);
         let (clock, mut steps) = (Instant::now(), 0);
-        while clock.elapsed() < SPELL {
-            (0..between).for_each(|_| {
+        while clock.elapsed() < MEASURED {
+            for _ in 0..between {
                 std::hint::black_box(stepper.step());
-            });
+            }
             steps += between;
         }
         (steps * segments) as f64 / clock.elapsed().as_secs_f64()
@@ -107,7 +106,7 @@ fn rate(steppers: &mut [Stepper]) -> f64 {
     }
 }
 
-/// The square net of `meshes` by `meshes` mesh sides that is measured: the contract's square net at this size, thrown.
+/// The thrown square net of `meshes` by `meshes` meshes that is measured.
 ///
 /// # Errors
 /// As [`measure`].
@@ -115,10 +114,10 @@ pub fn net(meshes: usize) -> Result<Case, Diagnostics> {
     net_with(meshes, &[])
 }
 
-/// The same with values of the scenario set by their paths; a value is TOML, or a text.
+/// As [`net`], with overrides of the scenario, each `path=value`, as after `--set`.
 ///
 /// # Errors
-/// [`Diagnostics`] where the scenario is refused.
+/// [`Diagnostics`] where an override is wrong.
 pub fn net_with(meshes: usize, overrides: &[String]) -> Result<Case, Diagnostics> {
     Case::new(Web::square(0.5 * meshes as f64, 0.5).set("segments_per_mesh", 2))
         .rope(Rope::new(0.002, 1440.0, 70e9).damping_ratio(0.05))
@@ -132,7 +131,7 @@ pub fn net_with(meshes: usize, overrides: &[String]) -> Result<Case, Diagnostics
         .build()
 }
 
-/// One unbroken rope of `segments` segments like those of the net, laid out along a quarter of its length.
+/// One rope without knots, of `segments` segments like those of the net, with its nodes at a quarter of their distance.
 fn rope(net: &Model, segments: usize) -> (System, State) {
     let segment = net.system.segments()[0];
     let mass = 2.0 * segment.stiffness * net.limit.dt * net.limit.dt;

@@ -1,4 +1,4 @@
-//! Why there is no result.
+//! The errors of a run that gives no result.
 
 use std::path::PathBuf;
 
@@ -6,7 +6,7 @@ use netcast_report::ReportError;
 use netcast_results::ResultError;
 use netcast_scenario::Diagnostics;
 
-/// Why there is no result.
+/// A run that gives no result, or only a part of one.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The input is wrong.
@@ -18,20 +18,20 @@ pub enum RunError {
     /// The report cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),
-    /// The run that should be resumed was one of other inputs.
-    #[error("{} was a run of other inputs: {differences}", folder.display())]
+    /// The run to resume has other inputs than the scenario.
+    #[error("{} holds a run with other inputs: {differences}", folder.display())]
     OtherInputs {
-        /// Where it is.
+        /// The folder of the run.
         folder: PathBuf,
-        /// What differs.
+        /// The differences, in words.
         differences: String,
     },
-    /// The results of a run could not be written to their end.
+    /// Writing the results failed during the run.
     #[error("{source}; what was computed is in {}", folder.display())]
     CutOff {
-        /// What went wrong.
+        /// The cause.
         source: Box<RunError>,
-        /// Where the results are, as far as they could be written.
+        /// The folder that holds the results up to then.
         folder: PathBuf,
     },
 }

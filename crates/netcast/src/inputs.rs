@@ -1,4 +1,4 @@
-//! What a result was computed from: the scenario as resolved, and the files it names.
+//! The inputs of a run: the resolved scenario, and the files that it names.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -13,15 +13,18 @@ use serde_json::Value as Json;
 
 use crate::values::flatten;
 
-/// The scenario among the inputs.
+/// The name of the scenario's file among the inputs.
 pub(crate) const SCENARIO: &str = "scenario.toml";
 
-/// The files of the `inputs` folder, by name. Running the scenario among them gives the same bits again.
+/// The files of the `inputs` folder, by name. A run of the scenario among them gives the same result bit for bit.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Inputs(BTreeMap<String, Vec<u8>>);
 
 impl Inputs {
-    /// Of a document, with all defaults written out, and its files each under a name of its own.
+    /// The inputs of a document: the scenario with all defaults written out, and its files under unique names.
+    ///
+    /// # Errors
+    /// [`ResultError`] where a file cannot be read.
     pub fn new(document: &Document, model: &Model) -> Result<Self, ResultError> {
         let mut contents = BTreeMap::from([(SCENARIO.to_owned(), Vec::new())]);
         let files = &document.written.files;
@@ -39,7 +42,10 @@ impl Inputs {
         Ok(Self(contents))
     }
 
-    /// Those of a result folder.
+    /// Reads the inputs of a result folder.
+    ///
+    /// # Errors
+    /// [`ResultError`] where a file or the folder `inputs` cannot be read.
     pub fn read(result: &Path) -> Result<Self, ResultError> {
         let inputs = result.join(folder::INPUTS);
         let mut contents = BTreeMap::new();
@@ -53,28 +59,31 @@ impl Inputs {
         Ok(Self(contents))
     }
 
-    /// Every value of the scenario under its dotted path; after them each file that it names, with a hash of what is in
-    /// it: two webs may be drawn in files of one name.
+    /// Every value of the scenario under its dotted path, and after them the size and hash of each file that it names:
+    /// files of one name may differ.
     pub fn values(&self) -> Vec<(String, Json)> {
         let mut values = Vec::new();
         let scenario = self.0.get(SCENARIO).map_or(&[][..], Vec::as_slice);
-        // netcast wrote TOML; a file that somebody has broken since has no values
+        // a scenario that was damaged after the run has no values
         if let Ok(tree) = Tree::parse(&String::from_utf8_lossy(scenario)) {
             flatten(&Default::default(), &tree.root.value, &mut values);
         }
         for (name, bytes) in self.0.iter().filter(|(name, _)| *name != SCENARIO) {
-            let told = format!("{} bytes, SHA-256 {}", bytes.len(), &hash([bytes])[..12]);
-            values.push((format!("{}/{name}", folder::INPUTS), Json::from(told)));
+            let contents = format!("{} bytes, SHA-256 {}", bytes.len(), &hash([bytes])[..12]);
+            values.push((format!("{}/{name}", folder::INPUTS), Json::from(contents)));
         }
         values
     }
 
-    /// What they are known by; see [`hash_files`].
+    /// The hash of the inputs; see [`hash_files`].
     pub fn hash(&self) -> String {
         hash_files(&self.0)
     }
 
-    /// Writes them into the `inputs` folder of a result.
+    /// Writes the inputs into the `inputs` folder of a result.
+    ///
+    /// # Errors
+    /// [`ResultError`] where a file or the folder cannot be written.
     pub fn write(&self, result: &Path) -> Result<(), ResultError> {
         let inputs = result.join(folder::INPUTS);
         fs::create_dir_all(&inputs).map_err(ResultError::write(&inputs))?;
@@ -85,7 +94,7 @@ impl Inputs {
         Ok(())
     }
 
-    /// Where they differ from the inputs of a result, in a few words, as far as those can be read.
+    /// The differences from the inputs of a result folder in words; a file that cannot be read counts as empty.
     pub fn differences(&self, result: &Path) -> String {
         let before = |name: &str| fs::read(result.join(folder::INPUTS).join(name)).unwrap_or_default();
         let (was, is) = (values(&before(SCENARIO)), values(&self.0[SCENARIO]));
@@ -93,21 +102,21 @@ impl Inputs {
         let value = |of: &BTreeMap<String, String>, key: &str| of.get(key).map_or("left out".into(), String::clone);
         let changed =
             keys.into_iter().map(|key| (key, value(&was, key), value(&is, key))).filter(|(_, was, is)| was != is);
-        let mut told: Vec<String> = changed.map(|(key, was, is)| format!("{key} was {was} and is {is}")).collect();
+        let mut listed: Vec<String> = changed.map(|(key, was, is)| format!("{key} was {was} and is {is}")).collect();
         let files = self.0.iter().filter(|(name, content)| *name != SCENARIO && before(name) != **content);
-        told.extend(files.map(|(name, _)| format!("{name} has changed")));
-        match told.len() {
-            0 => "something that cannot be told".to_owned(),
-            1..=MOST_TOLD => told.join("; "),
-            more => format!("{}; and {} more", told[..MOST_TOLD].join("; "), more - MOST_TOLD),
+        listed.extend(files.map(|(name, _)| format!("{name} has changed")));
+        match listed.len() {
+            0 => "their hash differs, but no value or file of the scenario does".to_owned(),
+            1..=MOST_LISTED => listed.join("; "),
+            more => format!("{}; and {} more", listed[..MOST_LISTED].join("; "), more - MOST_LISTED),
         }
     }
 }
 
-/// Differences that are told, where there are many.
-const MOST_TOLD: usize = 4;
+/// Most differences that a message lists.
+const MOST_LISTED: usize = 4;
 
-/// The values of a resolved scenario by their dotted paths; none where it does not read.
+/// The values of a resolved scenario by their dotted paths; none where it is not valid TOML.
 fn values(scenario: &[u8]) -> BTreeMap<String, String> {
     let mut values = Vec::new();
     if let Ok(tree) = Tree::parse(&String::from_utf8_lossy(scenario)) {
@@ -121,15 +130,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_of_one_name_with_other_content_differ() {
+    fn files_of_one_name_with_different_contents_differ() {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir(folder.path().join(folder::INPUTS)).unwrap();
-        let told = |text: &str| {
+        let values = |text: &str| {
             fs::write(folder.path().join("inputs/nodes.csv"), text).unwrap();
             fs::write(folder.path().join("inputs/scenario.toml"), "").unwrap();
             Inputs::read(folder.path()).unwrap().values()
         };
-        let (one, other) = (told("id,x\n1,0\n"), told("id,x\n1,1\n"));
+        let (one, other) = (values("id,x\n1,0\n"), values("id,x\n1,1\n"));
         assert_eq!((one.len(), &one[0].0), (1, &other[0].0));
         assert_ne!(one, other);
     }

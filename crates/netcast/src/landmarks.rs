@@ -1,4 +1,4 @@
-//! Which nodes and segments of a model are measured, under which names.
+//! The landmarks of a model: the nodes and segments that are measured, and their names.
 
 use glam::DVec3;
 use netcast_model::{Model, PlacedBody, Role};
@@ -8,18 +8,18 @@ use netcast_scenario::{Canopy, Shape};
 /// The landmarks of a model.
 pub fn landmarks(model: &Model) -> Landmarks {
     let web = &model.cut.web;
-    let followed = |name: &str, nodes: Vec<usize>, is_group: bool| Landmark {
+    let landmark = |name: &str, nodes: Vec<usize>, is_group: bool| Landmark {
         name: name.to_owned(),
         is_group,
         segments: model.ropes_at(&nodes),
         nodes,
     };
     let mut points: Vec<Landmark> =
-        model.points().into_iter().map(|(name, node)| followed(&name, vec![node], false)).collect();
+        model.points().into_iter().map(|(name, node)| landmark(&name, vec![node], false)).collect();
     let means = [("tractor", &model.tractors, true), ("corner", &web.corners, true), ("centre", &web.centre, false)];
     for (name, nodes, is_group) in means {
         if !nodes.is_empty() && points.iter().all(|p| p.name != name) {
-            points.push(followed(name, nodes.clone(), is_group));
+            points.push(landmark(name, nodes.clone(), is_group));
         }
     }
     let bottom = points.iter().find(|p| p.name == "B").map_or(Vec::new(), |b| b.segments.clone());
@@ -62,7 +62,7 @@ pub fn landmarks(model: &Model) -> Landmarks {
     }
 }
 
-/// Canopies, with their triangles where they are sheets.
+/// The canopies, with the triangles of those that are membranes.
 fn canopies(model: &Model) -> Vec<CanopyMark> {
     let triangles = |canopy: usize| model.sheets.get(canopy).map_or(Vec::new(), |sheet| sheet.triangles.clone());
     let mark = |(index, canopy): (usize, &netcast_webs::Canopy)| CanopyMark {
@@ -73,7 +73,7 @@ fn canopies(model: &Model) -> Vec<CanopyMark> {
     model.cut.web.canopies.iter().enumerate().map(mark).collect()
 }
 
-/// Link classes, kinds of rope, and both of each of the system's classes.
+/// The link classes, the ropes, and the link class and rope of each group.
 fn groups(model: &Model) -> (Vec<LinkClass>, Vec<NamedRope>, Vec<Group>) {
     let (mut classes, mut ropes): (Vec<LinkClass>, Vec<NamedRope>) = (Vec::new(), Vec::new());
     let mut groups = Vec::new();
@@ -83,7 +83,7 @@ fn groups(model: &Model) -> (Vec<LinkClass>, Vec<NamedRope>, Vec<Group>) {
             classes.push(LinkClass { name, is_rope, strength: None });
             classes.len() - 1
         });
-        // a class is as strong as its weakest rope
+        // the strength of a class is that of its weakest rope
         let known = classes[class].strength;
         classes[class].strength = known.into_iter().chain(group.strength).reduce(f64::min);
         let rope = group.rope.as_ref().map(|name| {
@@ -98,7 +98,7 @@ fn groups(model: &Model) -> (Vec<LinkClass>, Vec<NamedRope>, Vec<Group>) {
     (classes, ropes, groups)
 }
 
-/// The distance of each place from their mean in the web's plane, m.
+/// The distance of each position from their mean, m, in the web's plane.
 fn reach(places: &[DVec3]) -> Vec<f64> {
     let middle = places.iter().sum::<DVec3>() / places.len() as f64;
     places.iter().map(|place| (place - middle).truncate().length()).collect()

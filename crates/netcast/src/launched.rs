@@ -1,16 +1,16 @@
-//! How the tractors of a run were launched.
+//! The section `launch` of the summary: how the tractors left the launcher.
 
 use netcast_dynamics::simulate::Outcome;
 use netcast_model::{Model, Throw};
 use netcast_results::summary::{Departure, Departures, Recoil};
 
-/// The launch of a run that came out so; none where nothing is launched.
+/// The departures of the tractors and the recoil of a run; none where nothing is launched.
 pub(crate) fn launched(model: &Model, outcome: &Outcome) -> Option<Departures> {
     let launch = model.scenario.launch.as_ref();
     let spin_rad_s = launch.map_or(0.0, |launch| launch.spin.si());
     let axis = model.axis();
     let depart = |throw: &Throw| {
-        // what has no launcher has left at the start, unless it is held
+        // a tractor without a launcher leaves at the start, unless it is held
         let left = match throw.launcher {
             Some(launcher) => outcome.launching.nodes[launcher].left,
             None if model.system.held()[throw.node] => None,

@@ -1,9 +1,9 @@
-//! netcast simulates flexible nets that are thrown: rope webs folded into a launcher, pulled out by a few heavy
-//! tractors, unfolding and flying.
+//! netcast simulates flexible nets that are thrown: a rope web lies folded in a launcher, a few heavy tractors pull it
+//! out, and it unfolds and flies.
 //!
 //! # In fifteen lines
 //!
-//! A net of one's own, thrown, looked at, and written down:
+//! This program builds a net, throws it, prints its largest area, and writes the result folder:
 //!
 //! ```
 //! use netcast::prelude::*;
@@ -27,8 +27,8 @@
 //!
 //! # A tour
 //!
-//! A **web** is what is thrown: ropes tied at knots, made from a few numbers or node by node. A number is SI, a text
-//! carries its unit, and keys have the names of the scenario.
+//! A **web** is the net that is thrown: ropes tied at knots, made from a few numbers or node by node. A number is SI, a
+//! text carries its unit, and keys have the names of the scenario.
 //!
 //! ```
 //! use netcast::prelude::*;
@@ -43,8 +43,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A **case** is a web with its ropes, its launch and what surrounds it, checked and ready to be simulated. It comes from
-//! a scenario or from code; what is wrong with it is told at once, by the keys of the scenario.
+//! A **case** is a web with its ropes, launch and surroundings, checked and ready to be simulated. It comes from a
+//! scenario or from code. All mistakes in it are reported at once, under the keys of the scenario.
 //!
 //! ```
 //! use netcast::prelude::*;
@@ -59,7 +59,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The **facts** of a case are what `netcast check` prints: what it is made of, how it starts, what a run costs.
+//! The **facts** of a case are what `netcast check` prints: its materials, its state at the start, the cost of a run.
 //!
 //! ```
 //! # use netcast::prelude::*;
@@ -71,8 +71,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A **run** is what came out: a **summary** of numbers, a **history** with a row a record time, and **frames** of the
-//! whole net. [`Case::simulate`] keeps it in memory and writes nothing.
+//! A **run** is the result: a **summary** of numbers, a **history** with a row for each record time, and **frames** of
+//! the whole net. [`Case::simulate`] keeps it in memory and writes nothing.
 //!
 //! ```
 //! # use netcast::prelude::*;
@@ -89,7 +89,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! An **observer** sees every step and every record while a [`Simulation`] goes on; it may also be stopped.
+//! An **observer** sees every step and every record of a [`Simulation`], which may also be stopped early.
 //!
 //! ```
 //! # use netcast::prelude::*;
@@ -106,13 +106,13 @@
 //!
 //! let mut peak = Peak(0.0);
 //! let run = case.simulation().observe(&mut peak).stop_when(|frame| frame.time >= 0.02).run()?;
-//! println!("segment 0 bears {} N at most up to {:?} s", peak.0, run.frames().last().map(|frame| frame.time_s));
+//! println!("largest tension of segment 0: {} N", peak.0);
 //! # assert_eq!(run.frames().last().map(|frame| frame.time_s), Some(0.02));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! To **publish** a run is to write its result folder, the one that `netcast run` writes: [`Run::write`] after a run in
-//! memory, [`Simulation::run_to`] while it goes on, so that it outlasts a crash and can be resumed.
+//! To **publish** a run is to write its result folder, as `netcast run` does. [`Run::write`] writes it after a run in
+//! memory. [`Simulation::run_to`] writes it during the run, so that a crash loses little and the run can be resumed.
 //!
 //! ```
 //! # use netcast::prelude::*;
@@ -127,11 +127,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Below
+//! # Crates
 //!
-//! Each stage is a crate of its own, re-exported here: [`webs`] is what is made, [`scenario`] what the user writes,
-//! [`model`] what that means, [`dynamics`] the simulator, [`results`] what comes out, [`report`] what one looks at.
-//! ARCHITECTURE.md has the picture.
+//! Each stage is a crate, re-exported here: [`webs`] makes nets, [`scenario`] reads the user's input, [`model`] builds
+//! the system from it, [`dynamics`] simulates it, [`results`] holds and writes the results, [`report`] shows them.
+//! ARCHITECTURE.md shows how they depend on each other.
 
 pub mod bench;
 mod builder;

@@ -1,4 +1,4 @@
-//! A run in memory: its summary, history and frames as values. It writes nothing.
+//! Runs a case in memory: summary, history and frames are values, and no file is written.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -13,12 +13,12 @@ use crate::publish::{begin, complete, written_bytes};
 use crate::simulate::{Simulation, Start};
 use crate::verdict::Failure;
 
-/// A run that was carried out in memory, to its end or not.
+/// A run in memory. A run that failed holds its results up to the failure.
 #[derive(Debug, Clone)]
 pub struct Run {
-    /// What `summary.json` holds: opening, points, tension, energy, breaks and the rest.
+    /// The content of `summary.json`: opening, points, tension, energy, breaks and others.
     pub summary: Summary,
-    /// Why it failed; what was computed up to then is here all the same.
+    /// The cause of the failure; none where the run reached its end.
     pub failure: Option<Failure>,
     series: Series,
     manifest: Manifest,
@@ -34,14 +34,14 @@ pub struct RunFrame<'r> {
     pub position_m: &'r [DVec3],
     /// Velocities, m/s, (nodes,).
     pub velocity_m_s: &'r [DVec3],
-    /// Tensions, N, (segments,); NaN where a segment is gone.
+    /// Tensions, N, (segments,); NaN for a broken segment.
     pub tension_n: &'r [f64],
-    /// From the axes of each rigid body to the world, (bodies,).
+    /// Rotations from the axes of each rigid body to the world frame, (bodies,).
     pub orientation: &'r [DQuat],
 }
 
 impl Case {
-    /// Simulates the case in memory, with the default options and nobody watching.
+    /// Simulates the case in memory with the default options and without observers.
     ///
     /// # Errors
     /// As [`Simulation::run`].
@@ -51,12 +51,12 @@ impl Case {
 }
 
 impl Simulation<'_> {
-    /// Carries the run out in memory and writes nothing. Its rows and frames stay in memory: a frame takes 8 bytes for
-    /// each of six numbers a node and one number a segment.
+    /// Runs the simulation in memory and writes nothing. All rows and frames stay in memory: a frame takes 48 bytes for
+    /// each node and 8 bytes for each segment.
     ///
     /// # Errors
-    /// [`RunError::Result`] where what is measured does not fit the model. A run that goes wrong on the way is no
-    /// error: it is a [`Run`] with a [`Failure`].
+    /// [`RunError::Result`] where the landmarks do not fit the model. A run that fails is no error: it is a [`Run`]
+    /// with a [`Failure`].
     pub fn run(self) -> Result<Run, RunError> {
         let clock = Instant::now();
         let Simulation { case, options, watchers, mut progress, interrupted } = self;
@@ -80,17 +80,17 @@ impl Run {
         &self.case
     }
 
-    /// What `history.csv` holds: one row a record time, columns by name.
+    /// The content of `history.csv`: one row for each record time, columns by name.
     pub fn history(&self) -> &History {
         &self.series.history
     }
 
-    /// What `fields.vtkhdf` holds: every node and segment in time, and how they hang together.
+    /// The content of `fields.vtkhdf`: all nodes and segments in each frame, and the ends of the segments.
     pub fn fields(&self) -> &Fields {
         &self.series.fields
     }
 
-    /// The frames in order of time: one a record time, or one every `record.fields_every`.
+    /// The frames in order of time: one for each record time, or one every `record.fields_every`.
     pub fn frames(&self) -> impl ExactSizeIterator<Item = RunFrame<'_>> {
         let fields = &self.series.fields;
         fields.times.iter().enumerate().map(|(step, &time_s)| RunFrame {
@@ -102,10 +102,11 @@ impl Run {
         })
     }
 
-    /// Writes the result folder, the one that `netcast run` writes, with its report; returns where it stands.
+    /// Writes the result folder with its report, as `netcast run` does, and returns its path.
     ///
     /// # Errors
-    /// [`RunError`], with nothing left behind, where `target` holds what netcast did not write, or cannot be written.
+    /// [`RunError`] where `target` holds files that netcast did not write, or cannot be written; nothing is left
+    /// behind.
     pub fn write(&self, target: impl AsRef<Path>) -> Result<PathBuf, RunError> {
         let target = target.as_ref();
         require_room(target, written_bytes(&self.case))?;

@@ -1,4 +1,4 @@
-//! The nodes and ropes of a net that is built in code: the rows of the files of `[web.graph]`.
+//! The nodes and ropes of a net that is built in code. They become the rows of the files of `[web.graph]`.
 
 use std::fmt::Write;
 
@@ -24,24 +24,24 @@ pub struct Link {
 }
 
 impl Node {
-    /// A node of this id at x, y, z, m.
+    /// A node with an id at x, y, z, m.
     pub fn at(id: impl Into<String>, position_m: [f64; 3]) -> Self {
         Self { id: id.into(), position_m, mass_kg: 0.0, is_fixed: false, velocity_m_s: [0.0; 3] }
     }
 
-    /// Ties a mass to it, kg, beside that of its ropes.
+    /// Adds a mass, kg, to that of its ropes.
     #[must_use]
     pub fn mass(self, mass_kg: f64) -> Self {
         Self { mass_kg, ..self }
     }
 
-    /// Lets it stay put.
+    /// Fixes its position.
     #[must_use]
     pub fn fixed(self) -> Self {
         Self { is_fixed: true, ..self }
     }
 
-    /// Its velocity at the start, m/s.
+    /// Sets its velocity at the start, m/s.
     #[must_use]
     pub fn velocity(self, velocity_m_s: [f64; 3]) -> Self {
         Self { velocity_m_s, ..self }
@@ -49,44 +49,50 @@ impl Node {
 }
 
 impl Link {
-    /// A rope between the nodes of these ids, as long as they are apart.
+    /// A rope between the nodes with the ids `a` and `b`. Its rest length is their distance.
     pub fn between(a: impl Into<String>, b: impl Into<String>) -> Self {
-        let (rope, class, rest_length_m, pretension_n, segments) = Default::default();
-        Self { ends: [a.into(), b.into()], rope, class, rest_length_m, pretension_n, segments }
+        Self {
+            ends: [a.into(), b.into()],
+            rope: None,
+            class: None,
+            rest_length_m: None,
+            pretension_n: None,
+            segments: None,
+        }
     }
 
-    /// Makes it of the rope of this name among the other ropes of the case.
+    /// Makes it of the other rope of the case with this name.
     #[must_use]
     pub fn rope(self, name: impl Into<String>) -> Self {
         Self { rope: Some(name.into()), ..self }
     }
 
-    /// Its link class.
+    /// Sets its link class.
     #[must_use]
     pub fn class(self, class: impl Into<String>) -> Self {
         Self { class: Some(class.into()), ..self }
     }
 
-    /// Its length without tension, m.
+    /// Sets its rest length, m.
     #[must_use]
     pub fn rest_length(self, length_m: f64) -> Self {
         Self { rest_length_m: Some(length_m), ..self }
     }
 
-    /// Its tension as drawn, N.
+    /// Sets its tension as drawn, N.
     #[must_use]
     pub fn pretension(self, tension_n: f64) -> Self {
         Self { pretension_n: Some(tension_n), ..self }
     }
 
-    /// Into how many segments it is cut.
+    /// Sets the number of its segments.
     #[must_use]
     pub fn segments(self, count: u32) -> Self {
         Self { segments: Some(count), ..self }
     }
 }
 
-/// The nodes as the text of a CSV file; numbers are the shortest decimals that read back to the same bits.
+/// The nodes as the text of a CSV file. A number is the shortest decimal that reads back to the same bits.
 pub(crate) fn csv_of_nodes(nodes: impl IntoIterator<Item = Node>) -> String {
     let mut text = "id,x,y,z,mass,fixed,vx,vy,vz\n".to_owned();
     for Node { id, position_m: [x, y, z], mass_kg, is_fixed, velocity_m_s: [vx, vy, vz] } in nodes {
@@ -110,7 +116,7 @@ pub(crate) fn csv_of_links(links: impl IntoIterator<Item = Link>) -> String {
     text
 }
 
-/// A cell as CSV has it.
+/// A CSV cell, in quotes where it needs them.
 fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
 }

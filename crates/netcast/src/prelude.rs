@@ -1,4 +1,4 @@
-//! The names that a program needs which builds a net, runs it and looks at what came out.
+//! The names that a program needs to build a net, run it and read its results.
 //!
 //! ```
 //! use netcast::prelude::*;

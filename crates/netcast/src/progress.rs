@@ -1,27 +1,27 @@
-//! How far a run is, told while it goes on.
+//! The progress of a run, reported while it goes on.
 
-/// How far a run is.
+/// The progress of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Progress {
-    /// On the way to its equilibrium.
+    /// The search for the equilibrium.
     Relaxing {
         /// Iterations so far.
         iterations: u64,
-        /// Largest force out of balance, over the largest tension or load.
+        /// Largest unbalanced force over the largest tension or load.
         residual: f64,
-        /// The residual that is asked for.
+        /// The residual that ends the search.
         tolerance: f64,
     },
-    /// In time.
+    /// The run in time.
     Running {
-        /// Time simulated so far, s.
+        /// Simulated time so far, s.
         time_s: f64,
         /// Time at which the run ends, s.
         end_s: f64,
     },
 }
 
-/// Hears how far a run is.
+/// A callback for the progress of a run.
 pub(crate) type Tell<'s> = dyn FnMut(Progress) + Send + 's;
-/// Whether a run should stop.
+/// A function that returns true once a run should stop.
 pub(crate) type Interrupted<'s> = dyn Fn() -> bool + Sync + 's;

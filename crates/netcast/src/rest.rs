@@ -1,4 +1,4 @@
-//! The equilibrium that a scenario asks for, alone or as the start of a run.
+//! Finds the equilibrium that a scenario asks for, alone or as the start of a run.
 
 use netcast_dynamics::state::State;
 use netcast_dynamics::statics::{Accuracy, Relaxed, Relaxing, StaticsError, relax};
@@ -7,13 +7,13 @@ use netcast_results::summary::Equilibrium;
 
 use crate::progress::{Interrupted, Progress, Tell};
 
-/// The equilibrium, or the state nearest to one that was found.
+/// The equilibrium, or the best state of a search that failed.
 pub(crate) struct Rest {
     relaxed: Relaxed,
     tolerance: f64,
 }
 
-/// Looks for the equilibrium of a model, if its scenario asks for it.
+/// Searches for the equilibrium of a model; none where its scenario asks for none.
 pub(crate) fn equilibrium(
     model: &Model,
     threads: usize,
@@ -32,12 +32,12 @@ pub(crate) fn equilibrium(
 }
 
 impl Rest {
-    /// Whether it is an equilibrium, as far as was asked.
+    /// Whether the residual is within the tolerance.
     pub fn is_found(&self) -> bool {
         self.relaxed.stopped.is_none()
     }
 
-    /// The state that the run begins from. Where a run in time follows, what is thrown has its speed again.
+    /// The state that the run starts from. Where a run in time follows, it has the velocities of the launch.
     pub fn start(&self, model: &Model) -> State {
         let mut state = self.relaxed.state.clone();
         if model.scenario.solve.run_time().is_some() {
@@ -49,7 +49,7 @@ impl Rest {
         state
     }
 
-    /// Why no equilibrium was found, in words; none where one was.
+    /// The reason that no equilibrium was found, in words; none where one was.
     pub fn failure(&self, model: &Model) -> Option<String> {
         let (error, residual) = (self.relaxed.stopped?, &self.relaxed.residual);
         let place = model.node_label(residual.node);
@@ -66,7 +66,7 @@ impl Rest {
         })
     }
 
-    /// What the summary says of it.
+    /// The section of the summary on the equilibrium.
     pub fn summary(&self, model: &Model) -> Equilibrium {
         let Relaxed { residual, iterations, .. } = &self.relaxed;
         let is_finite = residual.force.is_finite();

@@ -1,13 +1,13 @@
 //! The tables of a scenario, built in code.
 //!
-//! A number is SI, a text carries its unit: `5.0` and `"5 m"` say the same. Keys bear the scenario's names; what is not
-//! set has the scenario's default. Nothing is checked here: `build` checks a case as a scenario is checked.
+//! A number is SI, a text carries its unit: `5.0` and `"5 m"` mean the same. Keys have the scenario's names and
+//! defaults. Nothing is checked here: `build` checks the whole case.
 
 use toml::{Table, Value};
 
 use crate::net::{Link, Node, csv_of_links, csv_of_nodes};
 
-/// A table, in the table of its variant where it has one.
+/// A table of a scenario; with a variant, such as `square` in `[web.square]`, it lies within a table of that name.
 #[derive(Debug, Clone, PartialEq)]
 struct Section {
     variant: Option<&'static str>,
@@ -32,7 +32,7 @@ impl Section {
     }
 }
 
-/// A type of its own for each table, so that no rope is taken for a launch.
+/// Defines a type for a table, so that a rope cannot be passed as a launch.
 macro_rules! section {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
@@ -55,7 +55,7 @@ macro_rules! section {
     };
 }
 
-/// `[web.KIND]` built in code: what is thrown. A graph's nodes and ropes go with it.
+/// `[web.KIND]` built in code: the net that is thrown, with the nodes and ropes of a graph.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Web {
     section: Section,
@@ -63,7 +63,7 @@ pub struct Web {
 }
 
 section! {
-    /// `[rope]` or `[ropes.NAME]`, built in code: what the web is tied from.
+    /// `[rope]` or `[ropes.NAME]`, built in code: a rope of the web.
     Rope
 }
 
@@ -98,50 +98,50 @@ impl Web {
         self
     }
 
-    /// A hexagon of this side, m, filled with square cells of rope.
+    /// A hexagon with this side, m, filled with square cells of rope.
     pub fn traditional(side_m: impl Into<Value>) -> Self {
         Self::kind("traditional").set("side", side_m)
     }
 
-    /// A hexagon of this side, m, with a closed hexagon of rope at every knot.
+    /// A hexagon with this side, m, and a closed hexagon of rope at every knot.
     pub fn topological(side_m: impl Into<Value>) -> Self {
         Self::kind("topological").set("side", side_m)
     }
 
-    /// A hexagon of this side, m, with double links and a canopy at every knot but the corners.
+    /// A hexagon with this side, m, double links, and a canopy at every knot but the corners.
     pub fn space(side_m: impl Into<Value>) -> Self {
         Self::kind("space").set("side", side_m)
     }
 
-    /// A square net of this side and this side of its meshes, m.
+    /// A square net with this side and this mesh side, m.
     pub fn square(side_m: impl Into<Value>, mesh_m: impl Into<Value>) -> Self {
         Self::kind("square").set("side", side_m).set("mesh", mesh_m)
     }
 
-    /// A regular polygon of so many sides in a circle of this diameter, m, filled with parallels of its sides at this
-    /// distance, m, and radials.
+    /// A regular polygon with `sides` sides in a circle of this diameter, m, filled with radials and with parallels of
+    /// its sides at the distance `mesh_m`.
     pub fn polygon(sides: u32, diameter_m: impl Into<Value>, mesh_m: impl Into<Value>) -> Self {
         Self::kind("polygon").set("sides", sides).set("diameter", diameter_m).set("mesh", mesh_m)
     }
 
-    /// Radials and rings in a circle of this diameter, m.
+    /// A circle of this diameter, m, filled with radials and rings.
     pub fn radial(diameter_m: impl Into<Value>, radials: u32, rings: u32) -> Self {
         Self::kind("radial").set("diameter", diameter_m).set("radials", radials).set("rings", rings)
     }
 
-    /// A net of rhombic meshes of this side, m, so many wide and high, in a rectangular border.
+    /// A net of rhombic meshes with this side, m, in a rectangular border. It is `meshes_wide` by `meshes_high` meshes.
     pub fn diamond(mesh_m: impl Into<Value>, meshes_wide: u32, meshes_high: u32) -> Self {
         Self::kind("diamond").set("mesh", mesh_m).set("meshes_wide", meshes_wide).set("meshes_high", meshes_high)
     }
 
-    /// Any net: its nodes, and the ropes between them. They become the files `nodes.csv` and `ropes.csv` of the
-    /// scenario, which messages name.
+    /// Any net, given by its nodes and the ropes between them. They become the files `nodes.csv` and `ropes.csv` of the
+    /// scenario; messages name these files.
     pub fn graph(nodes: impl IntoIterator<Item = Node>, ropes: impl IntoIterator<Item = Link>) -> Self {
         let files = vec![(NODES, csv_of_nodes(nodes)), (ROPES, csv_of_links(ropes))];
         Self { files, ..Self::kind("graph").set("nodes", NODES).set("ropes", ROPES) }
     }
 
-    /// Its table, and the files that this names.
+    /// Its table, and names and texts of the files that the table names.
     pub(crate) fn into_parts(self) -> (Value, Vec<(&'static str, String)>) {
         (self.section.into_value(), self.files)
     }
@@ -158,30 +158,30 @@ impl Rope {
         rope.set("density", density_kg_m3).set("elastic_modulus", elastic_modulus_pa)
     }
 
-    /// A rope of the library of materials, of this diameter, m.
+    /// A rope with this diameter, m, of a material of the library.
     pub fn of(material: &str, diameter_m: impl Into<Value>) -> Self {
         Self(Section::new(None)).set("material", material).set("diameter", diameter_m)
     }
 
-    /// Damps it by this fraction of critical.
+    /// Sets its damping ratio.
     #[must_use]
     pub fn damping_ratio(self, ratio: impl Into<Value>) -> Self {
         self.set("damping_ratio", ratio)
     }
 
-    /// Damps it by the internal friction of its material, s.
+    /// Sets its damping by a time, s: the damping stress is elastic modulus times this time times strain rate.
     #[must_use]
     pub fn damping_time(self, time_s: impl Into<Value>) -> Self {
         self.set("damping_time", time_s)
     }
 
-    /// Its breaking load, N, which its margin is counted from.
+    /// Sets its strength, N. The margin is strength over tension.
     #[must_use]
     pub fn strength(self, load_n: impl Into<Value>) -> Self {
         self.set("strength", load_n)
     }
 
-    /// Its tension as the web is drawn, N.
+    /// Sets its tension as the web is drawn, N.
     #[must_use]
     pub fn pretension(self, tension_n: impl Into<Value>) -> Self {
         self.set("pretension", tension_n)
@@ -189,7 +189,7 @@ impl Rope {
 }
 
 impl Body {
-    /// A mass without size, kg.
+    /// A body of this mass, kg, without size.
     pub fn particle(mass_kg: impl Into<Value>) -> Self {
         Self(Section::new(Some("particle"))).set("mass", mass_kg)
     }
@@ -209,7 +209,7 @@ impl Body {
         Self(Section::new(Some("box"))).set("width", width_m).set("depth", depth_m).set("height", height_m)
     }
 
-    /// Its mass, kg, instead of the density.
+    /// Sets its mass, kg, instead of its density.
     #[must_use]
     pub fn mass(self, mass_kg: impl Into<Value>) -> Self {
         self.set("mass", mass_kg)
@@ -217,12 +217,12 @@ impl Body {
 }
 
 impl Stow {
-    /// The flat web shrunk about its centre to this share of its size.
+    /// The flat web scaled by this factor about its centre.
     pub fn scale(factor: impl Into<Value>) -> Self {
         Self(Section::new(Some("scale"))).set("factor", factor)
     }
 
-    /// Drawn in to a bag of this radius, m.
+    /// The web gathered into a bag of this radius, m.
     pub fn bag(radius_m: impl Into<Value>) -> Self {
         Self(Section::new(Some("bag"))).set("radius", radius_m)
     }
@@ -242,7 +242,7 @@ impl Stow {
         Self::folded("roll", radius_m, height_m)
     }
 
-    /// Flat layers on one another, in a cylinder of this radius and height, m.
+    /// A stack of flat layers, in a cylinder of this radius and height, m.
     pub fn layers(radius_m: impl Into<Value>, height_m: impl Into<Value>) -> Self {
         Self::folded("layers", radius_m, height_m)
     }
@@ -254,24 +254,24 @@ impl Stow {
 }
 
 impl Launch {
-    /// Tractors thrown at this speed along the launch axis and this speed away from it, m/s.
+    /// Throws the tractors at these speeds along the launch axis and away from it, m/s.
     pub fn new(axial_speed_m_s: impl Into<Value>, radial_speed_m_s: impl Into<Value>) -> Self {
         Self(Section::new(None)).set("axial_speed", axial_speed_m_s).set("radial_speed", radial_speed_m_s)
     }
 
-    /// Points the launch axis so far above the horizontal, rad.
+    /// Sets the elevation of the launch axis above the horizontal, rad.
     #[must_use]
     pub fn elevation(self, elevation_rad: impl Into<Value>) -> Self {
         self.set("elevation", elevation_rad)
     }
 
-    /// Turns the launch axis so far anticlockwise from x, rad.
+    /// Sets the azimuth of the launch axis, anticlockwise from x, rad.
     #[must_use]
     pub fn azimuth(self, azimuth_rad: impl Into<Value>) -> Self {
         self.set("azimuth", azimuth_rad)
     }
 
-    /// Turns all that is launched about the launch axis, rad/s.
+    /// Sets the spin of all that is launched about the launch axis, rad/s.
     #[must_use]
     pub fn spin(self, spin_rad_s: impl Into<Value>) -> Self {
         self.set("spin", spin_rad_s)

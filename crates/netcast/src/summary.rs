@@ -1,4 +1,4 @@
-//! The summary of a run: what was measured of it, with what the model and the outcome say.
+//! Makes the summary of a run from the measured sections, the model and the outcome.
 
 use netcast_dynamics::forces::breaking::Break;
 use netcast_dynamics::simulate::Outcome;
@@ -9,8 +9,8 @@ use netcast_results::summary::{AirMet, BrokenSegment, ModelSize, StepSize, Stowe
 use crate::launched::launched;
 use crate::rest::Rest;
 
-/// The summary of a run of `model` with steps of `dt`, s, that came out so, from the sections that were measured. Its
-/// time on the clock and its warnings are left open.
+/// The summary of a run of `model` with steps of `dt`, s: its `outcome` and the sections that were `measured`. Wall
+/// time and warnings are left to the caller.
 pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Outcome, measured: Summary) -> Summary {
     let (system, bill) = (&model.system, &model.bill);
     let breaks: Vec<BrokenSegment> = outcome.breaks.iter().map(|broken| broken_segment(model, broken)).collect();
@@ -41,7 +41,7 @@ pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Out
     }
 }
 
-/// A segment that broke, with the names of the model's parts.
+/// A break, with the labels of segment and link class.
 fn broken_segment(model: &Model, broken: &Break) -> BrokenSegment {
     let &Break { segment, step: _, time, tension } = broken;
     let class = &model.groups[model.system.segments()[segment].class].class;
@@ -55,7 +55,7 @@ fn broken_segment(model: &Model, broken: &Break) -> BrokenSegment {
     }
 }
 
-/// The medium and the wind of a run.
+/// The medium and the wind of a run; none without air.
 fn air(model: &Model) -> Option<AirMet> {
     let air = model.system.environment().air.as_ref()?;
     Some(AirMet {

@@ -1,19 +1,23 @@
-//! A scenario as a list of values under their dotted paths, to be set against another.
+//! Lists the values of a scenario under their dotted paths, so that two scenarios can be compared.
 
 use netcast_scenario::path::Path;
 use netcast_scenario::tree::Value;
 use serde_json::Value as Json;
 
-/// Every value of a scenario under its dotted path.
+/// Appends every value within `value` under its dotted path; `path` is that of `value`.
 pub(crate) fn flatten(path: &Path, value: &Value, into: &mut Vec<(String, Json)>) {
     match value {
-        // an empty section says nothing; an empty variant, such as `[stow.roll]`, says which one it is
+        // leave out an empty section, but keep an empty variant such as `[stow.roll]`, which is a choice
         Value::Table(table) if table.0.is_empty() && path.0.len() > 1 => into.push((path.to_string(), json(value))),
         Value::Table(table) => {
-            table.0.iter().for_each(|entry| flatten(&path.key(&entry.key), &entry.node.value, into));
+            for entry in &table.0 {
+                flatten(&path.key(&entry.key), &entry.node.value, into);
+            }
         }
         Value::Array(elements) if elements.iter().any(|element| element.value.as_table().is_some()) => {
-            elements.iter().enumerate().for_each(|(i, element)| flatten(&path.index(i), &element.value, into));
+            for (i, element) in elements.iter().enumerate() {
+                flatten(&path.index(i), &element.value, into);
+            }
         }
         leaf => into.push((path.to_string(), json(leaf))),
     }
@@ -38,16 +42,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn inputs_are_told_by_path_with_their_units() {
+    fn values_are_listed_by_path_with_their_units() {
         let tree = Tree::parse(
             "title = \"x\"\n[web.graph]\noutline = [\"n1\", \"n2\"]\n[stow.roll]\n[measure]\n[[tractors]]\ncorner = 3\n\
              axial_speed = \"5 m/s\"\n[points]\n\"knot 3\" = \"n4\"\n",
         );
         let mut found = Vec::new();
         flatten(&Path::default(), &tree.unwrap().root.value, &mut found);
-        let told: Vec<String> = found.iter().map(|(path, value)| format!("{path}={value}")).collect();
+        let listed: Vec<String> = found.iter().map(|(path, value)| format!("{path}={value}")).collect();
         assert_eq!(
-            told,
+            listed,
             [
                 "title=\"x\"",
                 "web.graph.outline=[\"n1\",\"n2\"]",

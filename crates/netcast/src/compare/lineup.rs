@@ -1,4 +1,4 @@
-//! Which designs are compared: scenarios to be run, and results that are there already.
+//! The designs of a comparison: scenarios to run, and existing result folders.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -9,13 +9,13 @@ use netcast_results::{Manifest, Quantity, SummaryFile, expected, folder, leaves,
 use netcast_scenario::{Diagnostic, Diagnostics, Place};
 use serde_json::Value as Json;
 
-use super::reported::{Kind, Known, KnownQuantity, ReportedFile};
+use super::reported::{Kind, KnownDesign, KnownQuantity, ReportedFile};
 use crate::case::Case;
 use crate::inputs::SCENARIO;
 
-/// Designs that a comparison has at least.
+/// Least number of designs in a comparison.
 pub const FEWEST: usize = 2;
-/// Designs that it has at most: as many as a person tells apart in one figure.
+/// Largest number of designs in a comparison: a person cannot tell more curves apart in one figure.
 pub const MOST: usize = 12;
 
 /// The designs of a comparison, read and checked.
@@ -25,7 +25,7 @@ pub struct Lineup {
     pub(super) reported: Option<ReportedFile>,
 }
 
-/// A design with a name of its own.
+/// A design with a unique name.
 #[derive(Debug)]
 pub(super) struct Design {
     pub name: String,
@@ -35,26 +35,26 @@ pub(super) struct Design {
 /// Where a design's results come from.
 #[derive(Debug)]
 pub(super) enum Origin {
-    /// To be run.
+    /// A case to run.
     Scenario(Case),
-    /// There already.
+    /// An existing result folder.
     Folder(PathBuf),
 }
 
 impl Lineup {
-    /// Reads designs: each a scenario's file, with the overrides as after `--set`, or a result folder, which is taken
-    /// as it is. `reported` is a file of numbers known of them from elsewhere.
+    /// Reads designs. Each is the file of a scenario, which takes the overrides as after `--set`, or a result folder,
+    /// which stays as it is. `reported` is a file of numbers from another source to compare with.
     ///
     /// # Errors
-    /// Everything that is wrong with them, at once.
+    /// [`Diagnostics`] with all mistakes in designs, overrides and reported numbers.
     pub fn read(designs: &[PathBuf], overrides: &[String], reported: Option<&Path>) -> Result<Self, Diagnostics> {
-        let mut found = wrong_set(designs, overrides);
+        let mut found = mistakes_of_set(designs, overrides);
         let names = names(designs);
         let read: Vec<Result<Origin, Diagnostics>> = designs.iter().map(|path| Origin::read(path, overrides)).collect();
         let reported = reported.and_then(|file| {
             let known = names.iter().zip(&read).map(|(name, origin)| {
-                // of a design that cannot be read, any quantity may be reported
-                Known { design: name.clone(), quantities: origin.as_ref().ok().and_then(Origin::quantities) }
+                // a design that cannot be read may have any reported quantity
+                KnownDesign { name: name.clone(), quantities: origin.as_ref().ok().and_then(Origin::quantities) }
             });
             ReportedFile::read(file, &known.collect::<Vec<_>>()).map_err(|faults| found.extend(faults)).ok()
         });
@@ -75,7 +75,7 @@ impl Lineup {
                 }
             }
         }
-        // an override is the same for all designs: where it is wrong for some, they are named
+        // all designs share the overrides: report a mistake once, with the names where only some designs have it
         found.extend(overridden.into_iter().map(|(fault, names)| {
             if names.len() == scenarios {
                 fault
@@ -88,7 +88,7 @@ impl Lineup {
         Ok(Self { designs, reported })
     }
 
-    /// The designs' names, in the order they were given.
+    /// The names of the designs, in order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.designs.iter().map(|design| &design.name[..])
     }
@@ -97,12 +97,12 @@ impl Lineup {
 impl Origin {
     fn read(path: &Path, overrides: &[String]) -> Result<Self, Diagnostics> {
         if path.is_dir() {
-            return result_folder(path).map_err(|reason| wrong(format!("{}: {reason}", path.display())).into());
+            return result_folder(path).map_err(|reason| mistake(format!("{}: {reason}", path.display())).into());
         }
         Ok(Self::Scenario(Case::read(path, overrides)?))
     }
 
-    /// The quantities that its summary has, or will have once it is run; none where its summary cannot be read.
+    /// The quantities that the design's summary has, or will have after the run; none where the summary cannot be read.
     fn quantities(&self) -> Option<Vec<KnownQuantity>> {
         match self {
             Self::Folder(path) => {
@@ -111,7 +111,7 @@ impl Origin {
                     let kind = match value {
                         Json::String(_) => Kind::Text,
                         Json::Number(_) => Kind::Number,
-                        // what has no value here may be either, unless the table knows it
+                        // a null value has the kind that the table of quantities gives it, if any
                         _ => quantity_at(&path).map_or(Kind::Unknown, |(quantity, _)| Kind::of(quantity.dimension)),
                     };
                     KnownQuantity { path, kind }
@@ -140,29 +140,33 @@ fn has_section(model: &Model, section: &str) -> bool {
     }
 }
 
-fn wrong(message: String) -> Diagnostic {
+/// A mistake without a place in a file.
+fn mistake(message: String) -> Diagnostic {
     Diagnostic::new("", message, None)
 }
 
-/// What is wrong with the designs as a set.
-fn wrong_set(designs: &[PathBuf], overrides: &[String]) -> Vec<Diagnostic> {
+/// Mistakes in the choice of designs: too few, too many, repeated, or none that an override applies to.
+fn mistakes_of_set(designs: &[PathBuf], overrides: &[String]) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     if !(FEWEST..=MOST).contains(&designs.len()) {
-        found.push(wrong(format!("expected {FEWEST} to {MOST} designs to compare, found {}", designs.len())));
+        found.push(mistake(format!("expected {FEWEST} to {MOST} designs to compare, found {}", designs.len())));
     }
-    let whole: Vec<PathBuf> = designs.iter().map(|path| whole(path)).collect();
+    let paths: Vec<PathBuf> = designs.iter().map(|path| resolved(path)).collect();
     for (index, path) in designs.iter().enumerate() {
-        if whole[..index].contains(&whole[index]) {
-            found.push(wrong(format!("{} is named twice", path.display())));
+        if paths[..index].contains(&paths[index]) {
+            found.push(mistake(format!("{} is named twice", path.display())));
         }
     }
     if !overrides.is_empty() && !designs.is_empty() && designs.iter().all(|path| path.is_dir()) {
-        found.push(wrong("there is nothing to --set: results that are there already are not run again".into()));
+        found.push(mistake("--set has no effect: all designs are result folders, which are not run again".into()));
     }
     found
 }
 
-/// A folder that `netcast run` wrote, with all that a comparison needs.
+/// Checks that a folder is a result of `netcast run` with all files that a comparison needs.
+///
+/// # Errors
+/// The reason, as a clause after the folder's name.
 fn result_folder(path: &Path) -> Result<Origin, String> {
     if !Manifest::marks(path) {
         return Err("expected a scenario or a result folder that netcast wrote".into());
@@ -179,38 +183,40 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
     Ok(Origin::Folder(path.to_owned()))
 }
 
-/// A name for each design: its file's or folder's, where need be with that of the folder it lies in, or a number.
+/// A unique name for each design: that of its file or folder. Equal names are preceded by the name of the parent
+/// folder, and if they are still equal followed by a number.
 fn names(designs: &[PathBuf]) -> Vec<String> {
     let own = |path: &PathBuf| {
         let name =
-            if path.is_dir() { whole(path).file_name().map(Into::into) } else { path.file_stem().map(Into::into) };
+            if path.is_dir() { resolved(path).file_name().map(Into::into) } else { path.file_stem().map(Into::into) };
         name.unwrap_or_else(|| PathBuf::from("design")).to_string_lossy().into_owned()
     };
     let own: Vec<String> = designs.iter().map(own).collect();
-    let whole: Vec<PathBuf> = designs.iter().map(|path| whole(path)).collect();
-    let told = whole.iter().zip(&own).map(|(path, name)| {
-        // some file systems do not tell upper from lower case; a file that is named twice is told of elsewhere
+    let paths: Vec<PathBuf> = designs.iter().map(|path| resolved(path)).collect();
+    let distinguished = paths.iter().zip(&own).map(|(path, name)| {
+        // compare in lower case, since some file systems ignore case; `mistakes_of_set` reports equal paths
         let is_same = |(other, other_name): (&PathBuf, &String)| {
             other != path && other_name.to_lowercase() == name.to_lowercase()
         };
         let parent = path.parent().and_then(Path::file_name).map(|parent| parent.to_string_lossy().into_owned());
-        match parent.filter(|_| whole.iter().zip(&own).any(is_same)) {
+        match parent.filter(|_| paths.iter().zip(&own).any(is_same)) {
             Some(parent) => format!("{}_{name}", parent.trim_start_matches('.')),
             None => name.clone(),
         }
     });
-    // a design's folder stands beside the files of the comparison
+    // the folder of a design must not have the name of a file of the comparison
     let mut taken: BTreeSet<String> = folder::OURS.iter().map(|name| (*name).to_owned()).collect();
-    told.map(|name| {
-        let numbered = (1..).map(|count| if count == 1 { name.clone() } else { format!("{name}_{count}") });
-        let free = numbered.into_iter().find(|name| taken.insert(name.to_lowercase()));
-        free.expect("numbers do not run out")
-    })
-    .collect()
+    distinguished
+        .map(|name| {
+            let numbered = (1..).map(|count| if count == 1 { name.clone() } else { format!("{name}_{count}") });
+            let free = numbered.into_iter().find(|name| taken.insert(name.to_lowercase()));
+            free.expect("numbers do not run out")
+        })
+        .collect()
 }
 
-/// The absolute path, links followed where it exists.
-fn whole(path: &Path) -> PathBuf {
+/// The absolute path, with links resolved where it exists.
+fn resolved(path: &Path) -> PathBuf {
     fs::canonicalize(path).or_else(|_| std::path::absolute(path)).unwrap_or_else(|_| path.to_owned())
 }
 
@@ -223,19 +229,19 @@ mod tests {
     }
 
     #[test]
-    fn names_are_those_of_the_files_made_unique_where_they_are_equal() {
+    fn equal_file_names_are_made_unique() {
         assert_eq!(named(&["nets/ring.toml", "nets/star.toml"]), ["ring", "star"]);
         assert_eq!(
             named(&["/x/ring/net.toml", "/x/star/net.toml", "/x/other.toml"]),
             ["ring_net", "star_net", "other"]
         );
         assert_eq!(named(&["/x/ring/net.toml", "/y/ring/Net.toml"]), ["ring_net", "ring_Net_2"]);
-        // a folder of that name would take the place of the comparison's own file
+        // a folder of that name would hide a file of the comparison
         assert_eq!(named(&["/x/summary.json.toml", "/x/b.toml"]), ["summary.json_2", "b"]);
     }
 
     #[test]
-    fn what_is_wrong_with_the_set_is_told_at_once() {
+    fn all_mistakes_in_the_designs_are_reported_at_once() {
         let error = Lineup::read(&["no_such_net.toml".into()], &[], None).unwrap_err().to_string();
         assert!(error.contains("expected 2 to 12 designs to compare, found 1"), "{error}");
         assert!(error.contains("cannot read no_such_net.toml"), "{error}");
@@ -245,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_reported_is_checked_against_what_a_run_will_have() {
+    fn reported_quantities_are_checked_against_those_of_the_run() {
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
         let designs =
             ["10_catch_fence/catch_fence.toml", "04_square_net/square_net.toml"].map(|path| examples.join(path));
@@ -255,7 +261,7 @@ mod tests {
             fs::write(&reported, format!("source = \"a test\"\n{text}")).unwrap();
             Lineup::read(&designs, &[], Some(&reported)).map(|_| ()).map_err(|faults| faults.to_string())
         };
-        // sections that a first step would not fill
+        // quantities that only a whole run fills
         read(
             "[square_net]\nmouth.tilt_max_open_rad = 0.1\nflight.hang_time_s = 1\nstowed.packed_radius_m = 0.1\n\
              points.B.peak_speed_m_s = 3\nlaunch.spin_rad_s = 0\n[catch_fence]\nstatic.residual_n = 1e-6\n",

@@ -1,4 +1,4 @@
-//! Designs side by side: run at the same time, and put into one folder with one table and one page.
+//! Compares designs: runs them in parallel and writes one folder with their results, one table and one page.
 
 mod lineup;
 mod reported;
@@ -24,24 +24,25 @@ pub use lineup::{FEWEST, Lineup, MOST};
 
 use lineup::{Design, Origin};
 
-/// Designs that were compared.
+/// A finished comparison.
 #[derive(Debug)]
 pub struct Compared {
-    /// What is in the comparison's summary.json.
+    /// The content of the comparison's summary.json.
     pub comparison: Comparison,
     /// The folder of the comparison.
     pub folder: PathBuf,
-    /// The designs that failed on the way, with why, in the order of the comparison.
+    /// The designs whose runs failed, each with the cause, in the order of the comparison.
     pub failures: Vec<(String, Failure)>,
 }
 
-/// Runs the designs of a line-up and writes their results and the comparison to `target`. Several run at a time, on as
-/// many threads in all as `options` allows; the results do not depend on that number. `progress` hears of all runs as if
-/// they were one after another. Once `interrupted` says so, every run stops at its next record.
+/// Runs the designs of a line-up and writes their results and the comparison to `target`. Several run in parallel, with
+/// at most the threads of `options` in all; the results do not depend on that number. `progress` gets the sum of the
+/// simulated times and of the durations of all runs. Once `interrupted` returns true, each run stops at its next
+/// record.
 ///
 /// # Errors
-/// [`RunError`], with nothing written, where `target` or a result cannot be written. A design that fails on the way is
-/// no error: it is compared as far as it came, and [`Compared::failures`] names it.
+/// [`RunError`] where `target` or a result cannot be written; then nothing is written. A run that fails is no error:
+/// the comparison holds it up to its failure, and [`Compared::failures`] names it.
 pub fn compare(
     lineup: &Lineup,
     target: &Path,
@@ -75,7 +76,7 @@ pub fn compare(
     Ok(Compared { comparison, folder: outer.publish()?, failures })
 }
 
-/// What came of a design: its run, or the results that were there already.
+/// The result of a design, from a run or from an existing folder.
 struct DesignResult {
     summary: SummaryFile,
     inputs: Inputs,
@@ -84,7 +85,7 @@ struct DesignResult {
 }
 
 impl DesignResult {
-    /// Runs a case into the folder `to`.
+    /// Runs a case and writes its results to the folder `to`.
     fn run(
         case: &Case,
         to: &Path,
@@ -107,6 +108,7 @@ impl DesignResult {
         Ok(Self { summary: SummaryFile::read(to)?, inputs: Inputs::read(to)?, input_hash, failure: None })
     }
 
+    /// The design as the table of the comparison takes it.
     fn entrant(&self, name: &str) -> Entrant {
         Entrant {
             name: name.to_owned(),
@@ -117,12 +119,12 @@ impl DesignResult {
     }
 }
 
-/// What the inputs of all designs are known by.
+/// The hash of the names and inputs of all designs.
 fn input_hash(designs: &[Design], results: &[DesignResult]) -> String {
     hash(designs.iter().zip(results).flat_map(|(design, result)| [&design.name, &result.input_hash]))
 }
 
-/// Runs every scenario and copies every result, each into its own folder within `to`.
+/// Runs every scenario and copies every result folder, each into its own folder within `to`.
 fn run_all(
     designs: &[Design],
     to: &Path,
@@ -135,7 +137,7 @@ fn run_all(
     let results: Vec<Mutex<Option<Result<DesignResult, RunError>>>> =
         designs.iter().map(|_| Mutex::default()).collect();
     let work = |threads: usize| {
-        // the next design that nobody has taken; after an error the others need not go on
+        // take the next free design; after an error the other runs stop
         while let Some(index) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < designs.len()) {
             let stop = || interrupted() || abandoned.load(Ordering::Relaxed);
             let tell = |own: Progress| {
@@ -150,7 +152,7 @@ fn run_all(
                 Origin::Scenario(case) => DesignResult::run(case, &folder, threads, tell, stop),
             };
             abandoned.fetch_or(result.is_err(), Ordering::Relaxed);
-            *results[index].lock().expect("no run panics while it tells its end") = Some(result);
+            *results[index].lock().expect("no run panics while it stores its result") = Some(result);
         }
     };
     let workers = threads.clamp(1, designs.len());
@@ -161,18 +163,21 @@ fn run_all(
             scope.spawn(move || work(each + usize::from(worker < over)));
         }
     });
-    let ended = results.into_iter().map(|result| result.into_inner().expect("no run panics while it tells its end"));
+    let ended =
+        results.into_iter().map(|result| result.into_inner().expect("no run panics while it stores its result"));
     ended.map(|result| result.expect("every design was taken")).collect()
 }
 
-/// A comparison that is cut off starts anew: its runs need no checkpoints.
+/// The options of a run. It writes no checkpoints, because an interrupted comparison cannot be resumed.
 fn options(threads: usize) -> RunOptions {
     RunOptions { threads, checkpoint_every: CheckpointEvery::Never, ..RunOptions::default() }
 }
 
-/// How far each run is.
+/// The progress of all runs together.
 struct Reached {
+    /// Simulated time of each run, s.
     times: Mutex<Vec<f64>>,
+    /// Sum of the durations of all runs, s.
     end_s: f64,
 }
 
@@ -185,7 +190,7 @@ impl Reached {
         Self { times: Mutex::new(vec![0.0; designs.len()]), end_s: designs.iter().map(end).sum() }
     }
 
-    /// All runs together, now that the one at `index` is at `time`.
+    /// The progress of all runs once the run at `index` has reached `time`, s.
     fn with(&self, index: usize, time: f64) -> Progress {
         let mut times = self.times.lock().expect("sums do not panic");
         times[index] = time;
@@ -193,7 +198,7 @@ impl Reached {
     }
 }
 
-/// Copies all of ours in a result folder.
+/// Copies the files of a result folder that netcast wrote.
 fn copy_result(from: &Path, to: &Path) -> Result<(), RunError> {
     fs::create_dir(to).map_err(ResultError::write(to))?;
     for name in folder::OURS {
@@ -205,6 +210,7 @@ fn copy_result(from: &Path, to: &Path) -> Result<(), RunError> {
     Ok(())
 }
 
+/// Copies a file, or a folder with its contents.
 fn copy(from: &Path, to: &Path) -> Result<(), ResultError> {
     if !from.is_dir() {
         return fs::copy(from, to).map(|_| ()).map_err(ResultError::read(from));

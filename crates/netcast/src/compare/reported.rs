@@ -1,4 +1,4 @@
-//! Numbers known of designs from elsewhere: a paper, a test, another program.
+//! Reads numbers on designs from another source: a paper, a test, another program.
 //!
 //! ```toml
 //! source = "Drop test of 12 May"
@@ -18,32 +18,32 @@ use netcast_scenario::tree::{Origin, Table, Tree, Value};
 use netcast_scenario::{Diagnostic, Place, Source, nearest};
 use serde_json::Value as Json;
 
-/// The key of the file that no design may have for a name.
+/// The key of the source's name, at the top of the file.
 const SOURCE: &str = "source";
 
 /// A file of reported numbers.
 #[derive(Debug)]
 pub(super) struct ReportedFile {
     pub reported: Reported,
-    /// As it was written.
+    /// The text of the file.
     pub text: String,
 }
 
-/// A design that numbers may be reported of.
-pub(super) struct Known {
-    pub design: String,
-    /// The quantities of its summary; none where that could not be read, and any may be reported.
+/// A design that may have reported numbers.
+pub(super) struct KnownDesign {
+    pub name: String,
+    /// The quantities of its summary; none where the summary could not be read, and any quantity may be reported.
     pub quantities: Option<Vec<KnownQuantity>>,
 }
 
 /// A quantity of a summary.
 pub(super) struct KnownQuantity {
-    /// Its path there.
+    /// Its path in the summary.
     pub path: String,
     pub kind: Kind,
 }
 
-/// What may be reported of a quantity.
+/// The type of a reported value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Number,
@@ -53,72 +53,81 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// What is reported of a quantity of this dimension.
+    /// The type of the values of a dimension.
     pub fn of(dimension: Dimension) -> Self {
         if dimension == Dimension::Text { Self::Text } else { Self::Number }
     }
 }
 
 impl ReportedFile {
-    /// Reads a file and checks it against the designs; all that is wrong with it otherwise.
-    pub(super) fn read(file: &Path, known: &[Known]) -> Result<Self, Vec<Diagnostic>> {
+    /// Reads a file and checks it against the designs.
+    ///
+    /// # Errors
+    /// All mistakes in the file.
+    pub(super) fn read(file: &Path, known: &[KnownDesign]) -> Result<Self, Vec<Diagnostic>> {
         let text = std::fs::read_to_string(file)
             .map_err(|error| vec![Diagnostic::new("", format!("cannot read {}: {error}", file.display()), None)])?;
         let source = Arc::new(Source { name: file.display().to_string(), text: text.clone() });
         let mut reader = Reader { source, known, reported: Reported::default(), found: Vec::new() };
         match Tree::parse(&text) {
-            Ok(tree) => reader.root(&tree),
-            Err(faults) => faults.iter().for_each(|fault| reader.wrong("", &fault.message, &fault.origin, None)),
+            Ok(tree) => reader.read_root(&tree),
+            Err(faults) => {
+                for fault in &faults {
+                    reader.report("", &fault.message, &fault.origin, None);
+                }
+            }
         }
         if reader.found.is_empty() { Ok(Self { reported: reader.reported, text }) } else { Err(reader.found) }
     }
 }
 
+/// Reads the values of a file and collects its mistakes.
 struct Reader<'k> {
     source: Arc<Source>,
-    known: &'k [Known],
+    known: &'k [KnownDesign],
     reported: Reported,
     found: Vec<Diagnostic>,
 }
 
 impl Reader<'_> {
-    fn root(&mut self, tree: &Tree) {
+    /// Reads the top of the file: the source, and a table for each design.
+    fn read_root(&mut self, tree: &Tree) {
         let Some(table) = tree.root.value.as_table() else { return };
         match table.get(SOURCE).map(|node| (&node.value, &node.origin)) {
             Some((Value::String(text), _)) => self.reported.source = text.clone(),
             Some((other, origin)) => {
-                self.wrong(SOURCE, &format!("expected a text, found {}", other.describe()), origin, None);
+                self.report(SOURCE, &format!("expected a text, found {}", other.describe()), origin, None);
             }
             None => {
                 let help = "write source = \"...\": where the numbers come from";
-                self.wrong("", "missing key `source`", &tree.root.origin, Some(help.into()));
+                self.report("", "missing key `source`", &tree.root.origin, Some(help.into()));
             }
         }
         for entry in table.0.iter().filter(|entry| entry.key != SOURCE) {
             let path = ValuePath::default().key(&entry.key);
-            match (self.known.iter().find(|known| known.design == entry.key), &entry.node.value) {
-                (Some(known), Value::Table(quantities)) => self.design(known, quantities, &path),
+            match (self.known.iter().find(|known| known.name == entry.key), &entry.node.value) {
+                (Some(known), Value::Table(quantities)) => self.read_design(known, quantities, &path),
                 (Some(_), other) => {
                     let message = format!("expected a table of quantities, found {}", other.describe());
-                    self.wrong(&path.to_string(), &message, &entry.node.origin, None);
+                    self.report(&path.to_string(), &message, &entry.node.origin, None);
                 }
                 (None, _) => {
-                    let names: Vec<&str> = self.known.iter().map(|known| &known.design[..]).collect();
+                    let names: Vec<&str> = self.known.iter().map(|known| &known.name[..]).collect();
                     let near = nearest(&entry.key, &names).map(|near| format!("did you mean `{near}`? "));
                     let help = format!("{}compared here: {}", near.unwrap_or_default(), names.join(", "));
                     let message = format!("no design is called `{}`", entry.key);
-                    self.wrong(&path.to_string(), &message, &entry.origin, Some(help));
+                    self.report(&path.to_string(), &message, &entry.origin, Some(help));
                 }
             }
         }
     }
 
-    /// The quantities of a design; `path` is that of `table` in the file, where the first step names the design.
-    fn design(&mut self, known: &Known, table: &Table, path: &ValuePath) {
+    /// Reads the quantities of a design from `table`; `path` is that of the table, whose first step names the design.
+    fn read_design(&mut self, known: &KnownDesign, table: &Table, path: &ValuePath) {
         for entry in &table.0 {
             let here = path.key(&entry.key);
             if let Value::Table(inner) = &entry.node.value {
-                self.design(known, inner, &here);
+                self.read_design(known, inner, &here);
                 continue;
             }
             let quantity = ValuePath(here.0[1..].to_vec()).to_string();
@@ -130,7 +139,7 @@ impl Reader<'_> {
                         let near = nearest_quantity(&quantity, all.iter().map(|known| &known.path[..]));
                         let message = format!("`{quantity}` is no quantity of its summary.json");
                         let help = near.map(|near| format!("did you mean `{near}`?"));
-                        self.wrong(&here.to_string(), &message, &entry.origin, help);
+                        self.report(&here.to_string(), &message, &entry.origin, help);
                         continue;
                     }
                 },
@@ -143,15 +152,16 @@ impl Reader<'_> {
                     let expected =
                         if kind == Kind::Text { "a text" } else { "a number in the unit that the key names" };
                     let message = format!("expected {expected}, found {}", other.describe());
-                    self.wrong(&here.to_string(), &message, &entry.node.origin, None);
+                    self.report(&here.to_string(), &message, &entry.node.origin, None);
                     continue;
                 }
             };
-            self.reported.values.push(ReportedValue { design: known.design.clone(), quantity, value });
+            self.reported.values.push(ReportedValue { design: known.name.clone(), quantity, value });
         }
     }
 
-    fn wrong(&mut self, path: &str, message: &str, origin: &Origin, help: Option<String>) {
+    /// Adds a mistake.
+    fn report(&mut self, path: &str, message: &str, origin: &Origin, help: Option<String>) {
         let place = match origin {
             Origin::File(span) => Some(Place::File { source: self.source.clone(), span: span.clone() }),
             Origin::Override(_) => None,
@@ -160,7 +170,8 @@ impl Reader<'_> {
     }
 }
 
-/// The known quantity nearest to a path: the same last key elsewhere counts as near, else few letters changed.
+/// The known quantity nearest to a path: the only one with the same last key, or else the one with the fewest changed
+/// letters.
 fn nearest_quantity<'q>(path: &str, known: impl Iterator<Item = &'q str> + Clone) -> Option<String> {
     let last = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
     let same_end: Vec<&str> = known.clone().filter(|known| last(known) == last(path)).collect();
@@ -188,15 +199,15 @@ mod tests {
         ];
         let quantities = quantities.map(|(path, kind)| KnownQuantity { path: path.into(), kind }).into();
         let known = [
-            Known { design: "ring".into(), quantities: Some(quantities) },
-            Known { design: "star".into(), quantities: None },
+            KnownDesign { name: "ring".into(), quantities: Some(quantities) },
+            KnownDesign { name: "star".into(), quantities: None },
         ];
-        // in the order of the file, as they are shown
-        let told = |faults: Vec<Diagnostic>| {
+        // in the order of the file
+        let lines = |faults: Vec<Diagnostic>| {
             let text = Diagnostics::fail_if_any(faults).unwrap_err().to_string();
             text.split('\n').map(|line| line.split_once("reported.toml:").unwrap().1.to_owned()).collect()
         };
-        ReportedFile::read(&file, &known).map(|file| file.reported).map_err(told)
+        ReportedFile::read(&file, &known).map(|file| file.reported).map_err(lines)
     }
 
     #[test]
@@ -207,10 +218,10 @@ mod tests {
         )
         .unwrap();
         assert_eq!(reported.source, "a test");
-        let told: Vec<String> =
+        let values: Vec<String> =
             reported.values.iter().map(|v| format!("{} {} {}", v.design, v.quantity, v.value)).collect();
         assert_eq!(
-            told,
+            values,
             [
                 "ring opening.area_max_time_s 0.12",
                 "ring tension.max_where \"outline\"",
@@ -221,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn every_fault_has_its_place_and_the_nearest_known() {
+    fn every_mistake_is_reported_with_its_place_and_the_nearest_name() {
         let faults = read(
             "[rinng]\nopening.area_max_m2 = 1\n[ring]\nopening.area_max_times_s = 0.1\narea_max_m2 = 3\n\
              opening.area_max_m2 = \"15 m^2\"\nopening.area_max_time_s = \"soon\"\n[star]\n",
@@ -244,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_toml_is_told_with_its_line() {
+    fn malformed_toml_is_reported_with_its_line() {
         assert!(read("source = \n").unwrap_err()[0].starts_with("1:"));
     }
 }

@@ -1,4 +1,4 @@
-//! What a run of a case costs: steps, memory, time on this machine.
+//! The cost of a run of a case: steps, memory, time on this machine.
 
 use std::time::{Duration, Instant};
 
@@ -8,61 +8,62 @@ use serde::Serialize;
 
 use crate::case::Case;
 
-/// The equilibrium that a case asks for.
+/// The search for the equilibrium of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Equilibrium {
-    /// Iterations after which it is given up.
+    /// Largest number of iterations.
     pub max_iterations: u32,
-    /// Largest force out of balance, over the largest tension or load.
+    /// Largest unbalanced force that is accepted, over the largest tension or load.
     pub tolerance: f64,
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Segments.
+    /// Number of segments.
     pub segments: usize,
 }
 
-/// What a run in time costs.
+/// The cost of a run in time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cost {
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Segments.
+    /// Number of segments.
     pub segments: usize,
-    /// Elements beside segments, and rigid bodies; kinds that there are none of are left out.
+    /// Numbers of other elements and of rigid bodies, without those that are 0.
     pub elements: Vec<Count>,
     /// Step, s.
     pub dt_s: f64,
     /// The largest stable step, s.
     pub stable_dt_s: f64,
-    /// The largest share of it that is wanted.
+    /// Largest step that a run takes, over the stable step.
     pub step_fraction: f64,
-    /// What sets the stable step; none where nothing bounds it.
+    /// The part that bounds the stable step; none where it is unbounded.
     pub limited_by: Option<String>,
-    /// What would allow a larger step; none where nothing bounds it.
+    /// A change of the scenario that allows a larger step; none where the step is unbounded.
     pub lifted_by: Option<String>,
-    /// Steps.
+    /// Number of steps.
     pub steps: u64,
-    /// Time simulated, s.
+    /// Simulated time, s.
     pub duration_s: f64,
-    /// Segments times steps.
+    /// Number of segments times number of steps.
     pub segment_updates: f64,
-    /// Rows of the history.
+    /// Number of rows of the history.
     pub records: u64,
-    /// What the frames of all records take, bytes.
+    /// Size of the frames of all records, bytes.
     pub frames_bytes: f64,
-    /// Time of the run on one core of this machine, s; none before [`Case::step_time_s`] measures a step.
+    /// Time of the run on one core of this machine, s; none until [`Cost::with_step_time`] sets it.
     pub one_core_s: Option<f64>,
 }
 
-/// Parts of one kind.
+/// The number of parts of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Count {
-    /// What they are.
+    /// The kind.
     pub kind: String,
-    /// How many.
+    /// The number of parts.
     pub count: usize,
 }
 
+/// The equilibrium that a scenario asks for; none where it asks for none.
 pub(super) fn equilibrium(model: &Model) -> Option<Equilibrium> {
     let wanted = model.scenario.solve.statics?;
     Some(Equilibrium {
@@ -73,6 +74,7 @@ pub(super) fn equilibrium(model: &Model) -> Option<Equilibrium> {
     })
 }
 
+/// The cost of the run in time; none where the scenario asks for an equilibrium alone.
 pub(super) fn cost(case: &Case) -> Option<Cost> {
     let (model, schedule) = (case.model(), case.schedule());
     if model.scenario.solve.statics.is_some() && model.scenario.solve.run_time().is_none() {
@@ -90,7 +92,11 @@ pub(super) fn cost(case: &Case) -> Option<Cost> {
     Some(Cost {
         nodes,
         segments,
-        elements: elements.into_iter().filter(|(_, count)| *count > 0).map(Count::new).collect(),
+        elements: elements
+            .into_iter()
+            .filter(|(_, count)| *count > 0)
+            .map(|(kind, count)| Count { kind: kind.to_owned(), count })
+            .collect(),
         dt_s: schedule.dt,
         stable_dt_s: model.limit.dt,
         step_fraction: model.largest_dt() / model.limit.dt,
@@ -105,27 +111,21 @@ pub(super) fn cost(case: &Case) -> Option<Cost> {
     })
 }
 
-impl Count {
-    fn new((kind, count): (&str, usize)) -> Self {
-        Self { kind: kind.to_owned(), count }
-    }
-}
-
 impl Cost {
-    /// The same with the time of the run on one core, where a step takes `step_time_s`.
+    /// Sets the time of the run on one core from the time of a step, s.
     pub fn with_step_time(self, step_time_s: f64) -> Self {
         Self { one_core_s: Some(self.steps as f64 * step_time_s), ..self }
     }
 }
 
 impl Case {
-    /// Time of a step on one core of this machine, s, from as many steps as fit into a moment.
+    /// Measures the time of a step on one core of this machine, s, as the mean of 200 steps or of those within 50 ms.
     pub fn step_time_s(&self) -> f64 {
-        const MOMENT: Duration = Duration::from_millis(50);
+        const MEASURED_MAX: Duration = Duration::from_millis(50);
         let model = self.model();
         let mut net = Stepper::new(&model.system, &model.state, self.schedule().dt, 1);
         let (clock, mut steps) = (Instant::now(), 0);
-        while steps < 200 && clock.elapsed() < MOMENT {
+        while steps < 200 && clock.elapsed() < MEASURED_MAX {
             net.step();
             steps += 1;
         }

@@ -1,10 +1,10 @@
-//! How a case is launched, what of it ropes can turn, what holds it until it breaks.
+//! Facts on the launch of a case: its rigid tractors, its throws, and the threads that hold the web until they break.
 
 use netcast_model::{Model, Thrown};
 use netcast_webs::Class;
 use serde::Serialize;
 
-/// A tractor that ropes can turn.
+/// A tractor that is a rigid body.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BodyFacts {
     /// The corner that it is tied to, from 1.
@@ -13,7 +13,7 @@ pub struct BodyFacts {
     pub mass_kg: f64,
     /// Its principal moments of inertia about its axes x, y, z, kg m^2.
     pub inertia_kg_m2: [f64; 3],
-    /// Where its rope is tied, from its centre along its axes, m.
+    /// Position of its rope's knot from its centre, along its axes, m.
     pub tied_at_m: [f64; 3],
 }
 
@@ -22,28 +22,28 @@ pub struct BodyFacts {
 pub struct ThrowFacts {
     /// The corner that it is tied to, from 1.
     pub corner: u32,
-    /// What sets it in motion.
+    /// The cause of its motion.
     pub by: Pushed,
-    /// The angle between its way and the launch axis, rad.
+    /// The angle between its velocity and the launch axis, rad.
     pub angle_rad: f64,
-    /// How long it stays where it is, s.
+    /// Time at which its launch begins, s.
     pub delay_s: f64,
 }
 
-/// What sets a tractor in motion.
+/// The cause of a tractor's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Pushed {
-    /// Nothing: it has its speed at the start.
+    /// Its speed at the start.
     Speed {
         /// The speed, m/s.
         speed_m_s: f64,
     },
     /// A force along a tube.
     Tube {
-        /// How far the tube guides it, m.
+        /// Length over which the tube guides it, m.
         stroke_m: f64,
-        /// The work of the force over that way, J; none where the force is given over time.
+        /// Work of the force over the stroke, J; none where the force is given over time.
         work_j: Option<f64>,
     },
 }
@@ -51,9 +51,9 @@ pub enum Pushed {
 /// Threads of one kind that hold the web until they break.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Tied {
-    /// What they are: `break ties` or `stitches`.
+    /// The kind: `break ties` or `stitches`.
     pub kind: String,
-    /// How many.
+    /// The number of threads.
     pub count: usize,
     /// Load at which the weakest breaks, N.
     pub least_load_n: f64,
@@ -61,6 +61,7 @@ pub struct Tied {
     pub largest_load_n: f64,
 }
 
+/// The tractors that are rigid bodies, by corner.
 pub(super) fn bodies(model: &Model) -> Vec<BodyFacts> {
     let by_corner = model.tractors_by_corner().into_iter().zip(1u32..);
     by_corner
@@ -76,6 +77,7 @@ pub(super) fn bodies(model: &Model) -> Vec<BodyFacts> {
         .collect()
 }
 
+/// The throws of the tractors.
 pub(super) fn throws(model: &Model) -> Vec<ThrowFacts> {
     let facts = |throw: &netcast_model::Throw| ThrowFacts {
         corner: throw.corner,
@@ -89,9 +91,10 @@ pub(super) fn throws(model: &Model) -> Vec<ThrowFacts> {
     model.throws.iter().flatten().map(facts).collect()
 }
 
+/// The break ties and stitches, one entry for each group.
 pub(super) fn ties(model: &Model) -> Vec<Tied> {
-    let broken = model.groups.iter().enumerate().filter(|(_, group)| group.class.is_made_to_break());
-    broken
+    let breakable = model.groups.iter().enumerate().filter(|(_, group)| group.class.is_made_to_break());
+    breakable
         .map(|(class, group)| {
             let loads = model.system.segments().iter().filter(|s| s.class == class).map(|s| s.breaking.load);
             let kind = if group.class == Class::Tie { "break ties" } else { "stitches" };

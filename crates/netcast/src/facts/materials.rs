@@ -1,4 +1,4 @@
-//! What a case is made of, and which values are the library's.
+//! The materials of a case: bill of materials, laws of ropes, and values from the library.
 
 use std::collections::BTreeMap;
 
@@ -16,66 +16,66 @@ use crate::case::Case;
 /// The bill of materials.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BillFacts {
-    /// Ropes by kind; kinds that are not used are left out.
+    /// The kinds of rope in use.
     pub ropes: Vec<RopeFacts>,
     /// Length of rope of each link class, traction first.
     pub classes: Vec<ClassLength>,
-    /// Places where ropes are tied, tractors not counted.
+    /// Number of knots, without those at tractors.
     pub knots: usize,
-    /// Pieces of rope from knot to knot.
+    /// Number of ropes from knot to knot.
     pub rope_count: usize,
-    /// Canopies.
+    /// Number and mass of canopies.
     pub canopies: Counted,
-    /// Payloads, the sensor among them.
+    /// Number and mass of payloads and the sensor.
     pub payloads: Counted,
-    /// Tractors.
+    /// Number and mass of tractors.
     pub tractors: Counted,
     /// Mass of the web without traction ropes and tractors, kg.
     pub web_mass_kg: f64,
     /// Mass of all that is thrown, kg.
     pub thrown_mass_kg: f64,
-    /// Room that ropes, canopies and payloads take when packed, m^3.
+    /// Volume of the packed ropes, canopies and payloads, with the gaps between them, m^3.
     pub packed_volume_m3: f64,
-    /// Share of that room that is solid.
+    /// Solid share of the packed volume.
     pub packed_fill: f64,
     /// Area inside the outline of the flat web, m^2; none where it has no outline.
     pub area_m2: Option<f64>,
-    /// Area of the tractors' polygon of the flat web, m^2; none where there are too few of them.
+    /// Area of the tractors' polygon of the flat web, m^2; none where there are too few tractors.
     pub tractor_area_m2: Option<f64>,
 }
 
-/// All rope of one kind.
+/// The rope of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RopeFacts {
     /// Its name in the scenario.
     pub name: String,
     /// Its diameter, m.
     pub diameter_m: f64,
-    /// Length in all, m.
+    /// Total length, m.
     pub length_m: f64,
-    /// Mass in all, kg.
+    /// Total mass, kg.
     pub mass_kg: f64,
 }
 
-/// All rope of one link class.
+/// The rope of one link class.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ClassLength {
     /// The class.
     pub class: String,
-    /// Length in all, m.
+    /// Total length, m.
     pub length_m: f64,
 }
 
-/// Parts of one kind.
+/// Number and mass of parts of one kind.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Counted {
-    /// How many.
+    /// Number of parts.
     pub count: usize,
-    /// Their mass in all, kg.
+    /// Total mass, kg.
     pub mass_kg: f64,
 }
 
-/// The law by which a rope pulls, and at what it breaks.
+/// The law of a rope's tension, and the load and strain at which it breaks.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LawFacts {
     /// The rope's name in the scenario.
@@ -84,62 +84,62 @@ pub struct LawFacts {
     pub law: LawKind,
     /// Load at which it breaks away from knots, N; none where no load breaks it.
     pub breaking_load_n: Option<f64>,
-    /// Load at which it breaks at knots, N; none where knots take nothing from it, or no load breaks it.
+    /// Load at which it breaks at knots, N; none where knots do not weaken it, or no load breaks it.
     pub breaking_load_at_knots_n: Option<f64>,
     /// Strain at which it breaks; none where no strain breaks it.
     pub breaking_strain: Option<f64>,
 }
 
-/// How tension follows from stretch.
+/// The law by which tension follows from stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LawKind {
-    /// In proportion.
+    /// Proportional to stretch.
     Linear,
-    /// In two straight lines.
+    /// Two straight lines.
     Bilinear {
         /// Strain at which they meet.
         strain: f64,
-        /// Modulus beyond, over the modulus below.
+        /// Modulus above this strain over the modulus below.
         second_modulus_ratio: f64,
     },
-    /// From a table.
+    /// A table.
     Table {
         /// Whether unloading follows another curve.
         has_hysteresis: bool,
     },
-    /// With a branch that relaxes.
+    /// A standard linear solid: a spring beside a relaxing branch.
     Viscoelastic {
-        /// Modulus at once, over the modulus after a long time.
+        /// Instantaneous modulus over the modulus after a long time.
         instantaneous_ratio: f64,
-        /// Time in which the branch relaxes, s.
+        /// Relaxation time of the branch, s.
         relaxation_time_s: f64,
     },
-    /// In proportion, pushing as well as pulling.
+    /// Proportional to stretch, in compression too.
     Strut,
 }
 
-/// A rope from knot to knot, as `[assign]` can name it.
+/// A rope from knot to knot, with the name that `[assign]` knows.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LinkFacts {
     /// Its name.
     pub name: String,
     /// Its link class.
     pub class: String,
-    /// Its ring, from 1 in the middle, where it is of class `ring`.
+    /// The number of its ring, from 1 in the middle; none where it is not of class `ring`.
     pub ring: Option<usize>,
     /// The name of its rope, `rope` for the default one.
     pub rope: String,
-    /// Its length without tension as drawn, m.
+    /// Its rest length as drawn, m.
     pub length_m: f64,
 }
 
-/// What a scenario has from the library of materials.
+/// The values of a scenario from the library of materials.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FromLibrary {
     /// The values, in the order of the scenario.
     pub values: Vec<LibraryValue>,
-    /// Short names of the sources with what they are.
+    /// The sources by their short names.
     pub sources: BTreeMap<String, String>,
 }
 
@@ -150,18 +150,18 @@ pub struct LibraryValue {
     pub table: String,
     /// The material's name.
     pub material: String,
-    /// What the material is.
+    /// The description of the material.
     pub summary: String,
     /// The value's key.
     pub key: String,
-    /// The value, as a scenario writes it.
+    /// The value with its unit, as in a scenario.
     pub value: String,
     /// Short names of its sources.
     pub sources: Vec<String>,
 }
 
 impl Case {
-    /// The links of the web, as `[assign]` can name them, in the order of the web.
+    /// The links of the web with the names that `[assign]` knows, in the order of the web.
     pub fn links(&self) -> Vec<LinkFacts> {
         let links = self.model().links().into_iter();
         links
@@ -202,6 +202,7 @@ pub(super) fn bill(model: &Model) -> BillFacts {
     }
 }
 
+/// The laws of the ropes, without repetition.
 pub(super) fn laws(model: &Model) -> Vec<LawFacts> {
     let mut laws: Vec<LawFacts> = Vec::new();
     for group in &model.groups {
@@ -234,20 +235,21 @@ fn kind(law: &Law) -> LawKind {
     }
 }
 
+/// The values from the library; none where there are none.
 pub(super) fn from_library(document: &Document) -> Option<FromLibrary> {
     let taken = &document.library.taken;
     if taken.is_empty() {
         return None;
     }
-    let value = |one: &netcast_scenario::library::Taken| LibraryValue {
-        table: one.table.clone(),
-        material: one.material.clone(),
-        summary: library().summary(&one.material).to_owned(),
-        key: one.key.to_owned(),
-        value: one.value.clone(),
-        sources: one.sources.clone(),
+    let value = |taken: &netcast_scenario::library::Taken| LibraryValue {
+        table: taken.table.clone(),
+        material: taken.material.clone(),
+        summary: library().summary(&taken.material).to_owned(),
+        key: taken.key.to_owned(),
+        value: taken.value.clone(),
+        sources: taken.sources.clone(),
     };
-    let is_named = |source: &str| taken.iter().any(|one| one.sources.iter().any(|name| name == source));
+    let is_named = |source: &str| taken.iter().any(|taken| taken.sources.iter().any(|name| name == source));
     let named = library().sources.iter().filter(|(name, _)| is_named(name));
     Some(FromLibrary {
         values: taken.iter().map(value).collect(),

@@ -1,6 +1,6 @@
-//! What is known of a case before it is run: what it is made of, how it starts, what a run of it costs.
+//! The facts of a case that are known before a run: its materials, its state at the start, the cost of a run.
 //!
-//! The screen of `netcast check` is made from these values, and `netcast check --json` prints them.
+//! `netcast check` shows these values as text, and `netcast check --json` prints them as JSON.
 
 mod cost;
 mod launch;
@@ -23,47 +23,48 @@ pub use surroundings::{
     WindFacts,
 };
 
-/// What is known of a case before it is run. Everything is in SI; a name carries its unit.
+/// The facts of a case that are known before a run. All values are SI; a name carries its unit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Facts {
     /// Title of the results.
     pub title: String,
-    /// What was chosen or changed for the user.
+    /// Choices and changes that the model made for the user.
     pub notes: Vec<String>,
-    /// What it is made of.
+    /// The bill of materials.
     pub bill: BillFacts,
-    /// By which law each rope pulls, and at what it breaks; a line for each that differs.
+    /// The law of each rope and its breaking limits, without repetition.
     pub laws: Vec<LawFacts>,
-    /// The values that it has from the library of materials; none where it has none.
+    /// The values from the library of materials; none where there are none.
     pub library: Option<FromLibrary>,
-    /// The tractors that ropes can turn.
+    /// The tractors that are rigid bodies.
     pub bodies: Vec<BodyFacts>,
-    /// How fast all that is launched turns about the launch axis, rad/s.
+    /// Spin of all that is launched about the launch axis, rad/s; none where it is 0.
     pub spin_rad_s: Option<f64>,
-    /// How each tractor is thrown.
+    /// The throw of each tractor.
     pub throws: Vec<ThrowFacts>,
-    /// Whether `[launch]` throws all tractors alike, by one speed, without tube or chance; also where there is none.
+    /// Whether all tractors have the speeds of `[launch]`, without tube, scatter or `[[tractors]]`; true without a
+    /// launch.
     pub is_plain_launch: bool,
-    /// What holds the web until it breaks.
+    /// The threads that hold the web until they break.
     pub ties: Vec<Tied>,
-    /// The orbit that it flies beside.
+    /// The orbit of the launcher; none where the scenario has none.
     pub orbit: Option<OrbitFacts>,
-    /// What it starts from and lands on.
+    /// The ground; none where the scenario has none.
     pub ground: Option<GroundFacts>,
-    /// The medium, the wind, and what drags.
+    /// The medium, the wind, and the parts with drag; none without air.
     pub air: Option<AirFacts>,
-    /// The state at the start, looked over.
+    /// The audit of the state at the start.
     pub start: StartFacts,
     /// Loads and drives.
     pub acting: ActingFacts,
-    /// The equilibrium that is looked for.
+    /// The search for an equilibrium; none where the scenario asks for none.
     pub equilibrium: Option<Equilibrium>,
-    /// What a run in time costs; none where there is only an equilibrium to find.
+    /// The cost of the run in time; none where the scenario asks for an equilibrium alone.
     pub cost: Option<Cost>,
 }
 
 impl Case {
-    /// What is known of the case before it is run. Takes no time to speak of; nothing is simulated.
+    /// The facts of the case that are known before a run. It simulates nothing and takes little time.
     pub fn facts(&self) -> Facts {
         let model = self.model();
         let scenario = self.scenario();

@@ -1,51 +1,51 @@
-//! How a case starts: what is stretched, how large and how dense it is packed.
+//! Facts on the state at the start: stretched segments, size and density of the packed web.
 
 use netcast_model::Model;
 use serde::Serialize;
 
 use crate::case::Case;
 
-/// The state at the start, looked over.
+/// The audit of the state at the start.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StartFacts {
-    /// The largest stretch of a segment, as a share of its rest length; negative where none reaches it. None where there
-    /// are no segments.
+    /// The largest strain of a segment; negative where all segments are slack. None where there are no segments.
     pub longest_stretch: Option<f64>,
-    /// Which segment that is.
+    /// The label of that segment.
     pub longest_stretch_where: Option<String>,
     /// Elastic energy, J.
     pub stored_energy_j: f64,
     /// Largest distance of a node from the launch axis, m.
     pub packed_radius_m: f64,
-    /// From the lowest node to the highest along the launch axis, m.
+    /// Extent of the nodes along the launch axis, m.
     pub packed_height_m: f64,
 }
 
-/// How densely a web is packed, and how near its ropes come to each other.
+/// The density of the packed web, and the distances between its ropes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PackingFacts {
-    /// Mass over the volume of the smallest cylinder about the launch axis, kg/m^3; none where the web lies flat.
+    /// Mass over the volume of the smallest cylinder about the launch axis, kg/m^3; none where the web is flat.
     pub density_kg_m3: Option<f64>,
-    /// Share of that cylinder that is solid; none where the web lies flat.
+    /// Solid share of that cylinder; none where the web is flat.
     pub solid_fraction: Option<f64>,
-    /// Whether the nearest ropes were looked for: not where too many lie near each other.
+    /// Whether distances between ropes were computed; false where too many are near each other.
     pub is_compared: bool,
-    /// The two segments that come nearest to each other; none where all ropes are tied together.
+    /// The two nearest segments of ropes without a common knot; none where there are none.
     pub closest: Option<Closest>,
-    /// Pairs of segments, of ropes that share no knot, that are nearer than a diameter; none where they were not looked
-    /// for.
+    /// Number of pairs of segments, of ropes without a common knot, nearer than a diameter; none where distances were
+    /// not computed.
     pub nearer_than_a_diameter: Option<usize>,
 }
 
-/// Two segments that come near each other.
+/// Two segments near each other.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Closest {
     /// Their distance, m.
     pub distance_m: f64,
-    /// Which they are.
+    /// Their labels.
     pub segments: [String; 2],
 }
 
+/// The audit of the state at the start of a model.
 pub(super) fn start(model: &Model) -> StartFacts {
     let audit = &model.audit;
     StartFacts {
@@ -58,7 +58,7 @@ pub(super) fn start(model: &Model) -> StartFacts {
 }
 
 impl Case {
-    /// How the web is packed at the start. Takes up to a few seconds where many ropes lie near each other.
+    /// The packing of the web at the start. It takes up to a few seconds where many ropes are near each other.
     pub fn packing(&self) -> PackingFacts {
         let model = self.model();
         let packing = model.packing();

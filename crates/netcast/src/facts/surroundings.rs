@@ -1,4 +1,4 @@
-//! What surrounds a case and acts on it: orbit, ground, air, wind, loads and drives.
+//! Facts on the surroundings of a case: orbit, ground, air, wind, loads and drives.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
@@ -8,7 +8,7 @@ use netcast_dynamics::forces::body_drag::Shape;
 use netcast_model::{AirOutline, Model};
 use serde::Serialize;
 
-/// The orbit that a case flies beside.
+/// The orbit of the launcher.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitFacts {
     /// Mean motion, rad/s.
@@ -17,63 +17,64 @@ pub struct OrbitFacts {
     pub period_s: f64,
 }
 
-/// What a case starts from and lands on.
+/// The ground.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GroundFacts {
     /// Height above the muzzle, m.
     pub height_m: f64,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Speed after a bounce over speed before it.
+    /// Speed after a bounce over the speed before it.
     pub restitution: f64,
-    /// Speed of an impact, m/s,
+    /// Speed of a typical impact, m/s.
     pub impact_speed_m_s: f64,
-    /// and how far that sinks in at most, m.
+    /// Largest depth of that impact in the ground's spring, m.
     pub impact_depth_m: f64,
-    /// Nodes that it can touch.
+    /// Number of nodes that the ground can touch.
     pub nodes: usize,
-    /// Points on rigid bodies that it can touch.
+    /// Number of points of rigid bodies that the ground can touch.
     pub body_points: usize,
 }
 
-/// A speed that things come down at, m/s.
-const IMPACT: f64 = 20.0;
+/// Speed of a typical impact, m/s.
+const IMPACT_SPEED: f64 = 20.0;
 
-/// The medium, the wind, and what drags.
+/// The medium, the wind, and the parts with drag.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AirFacts {
-    /// Altitude in the standard atmosphere, m; none where the medium is given by its values.
+    /// Altitude in the standard atmosphere, m; none where the scenario gives density and viscosity.
     pub altitude_m: Option<f64>,
     /// Density at the muzzle, kg/m^3.
     pub density_kg_m3: f64,
     /// Dynamic viscosity, Pa s.
     pub viscosity_pa_s: f64,
-    /// How it moves; none where it is still.
+    /// The wind; none where the medium is still.
     pub wind: Option<WindFacts>,
-    /// Fastest that anything is thrown, m/s.
+    /// Largest speed at the launch, m/s.
     pub launch_speed_m_s: f64,
-    /// Ropes that drag, by name.
+    /// Ropes with drag, by name.
     pub ropes: Vec<RopeInAir>,
-    /// Canopies that drag.
+    /// Canopies with drag; none where there are none.
     pub canopies: Option<CanopiesInAir>,
-    /// Bodies, and what drags of them.
+    /// Bodies with and without drag.
     pub bodies: BodiesInAir,
-    /// Share that the web's ropes take of the area within its outline as drawn; none where it has no outline.
+    /// Solidity of the web as drawn: projected area of its ropes over the area within its outline; none without
+    /// outline.
     pub drawn_solidity: Option<f64>,
-    /// The solidity by which the drag of ropes is that of a screen; none where each drags as if alone.
+    /// Solidity of the screen whose drag the ropes have; none where each rope has the drag of an isolated one.
     pub screen_solidity: Option<f64>,
-    /// Upward force of the medium, N; 0 where it buoys up nothing.
+    /// Buoyancy, N; 0 where it is left out.
     pub buoyancy_n: f64,
-    /// How the web falls, flat and without tractors; none where there is no gravity.
+    /// The fall of the flat web without tractors; none without gravity.
     pub fall: Option<Fall>,
 }
 
-/// How the medium moves.
+/// The wind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct WindFacts {
-    /// Its mean; none where it is a measured series.
+    /// The mean wind; none where a measured series gives the wind.
     pub mean: Option<Wind>,
-    /// By how much gusts and turbulence change it at most, or how fast a measured series is at most, m/s.
+    /// Largest change by gusts and turbulence, or largest speed of a measured series, m/s.
     pub change_max_m_s: f64,
     /// Whether there are gusts or turbulence.
     pub is_gusty: bool,
@@ -86,25 +87,25 @@ pub struct Wind {
     pub at_muzzle_m_s: f64,
     /// 10 m above the ground, m/s.
     pub at_10_m_m_s: f64,
-    /// The way it blows, anticlockwise from x, rad.
+    /// Azimuth that it blows towards, rad.
     pub towards_rad: f64,
 }
 
-/// Height above the ground at which weather services tell the wind, m.
+/// Height above the ground at which weather services measure the wind, m.
 const WEATHER_HEIGHT: f64 = 10.0;
 
-/// Ropes of one name in the air; those of a screen apart from others.
+/// Ropes of one name in the air, all with or all without the drag of a screen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RopeInAir {
-    /// Their rope.
+    /// Their name.
     pub rope: String,
-    /// Whether they drag as those of a screen.
+    /// Whether they have the drag of a screen.
     pub is_screen: bool,
-    /// Their diameter times their length, m^2.
+    /// Diameter times total length, m^2.
     pub area_m2: f64,
-    /// Reynolds number across them at the launch speed.
+    /// Reynolds number of the flow across them at the launch speed.
     pub reynolds: f64,
-    /// Normal drag coefficient there.
+    /// Normal drag coefficient at that Reynolds number.
     pub normal_coefficient: f64,
 }
 
@@ -113,61 +114,61 @@ pub struct RopeInAir {
 pub struct CanopiesInAir {
     /// Their area, m^2.
     pub area_m2: f64,
-    /// Drag coefficient square to the wind.
+    /// Drag coefficient of a canopy normal to the wind.
     pub coefficient: f64,
 }
 
 /// Bodies in the air.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BodiesInAir {
-    /// How many drag.
+    /// Number of bodies with drag.
     pub count: usize,
-    /// The largest face of each, in all, m^2.
+    /// Sum of their largest projected areas, m^2.
     pub area_max_m2: f64,
-    /// How many a canopy hides.
+    /// Number of bodies without drag because a canopy hides them.
     pub hidden: usize,
-    /// How many have no size.
+    /// Number of bodies without drag because they have no size.
     pub sizeless: usize,
 }
 
-/// How a web falls through the air.
+/// The fall of a web through the air.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fall {
-    /// It comes to this speed, m/s.
+    /// It reaches this speed, m/s.
     TerminalSpeedMS(f64),
-    /// It does not fall: it is no heavier than what it displaces.
+    /// It does not fall: its weight is at most its buoyancy.
     Floats,
-    /// Ever faster: nothing of it drags.
+    /// It accelerates without limit: no part has drag.
     Unhindered,
 }
 
 /// Loads and drives.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ActingFacts {
-    /// Forces on nodes.
+    /// Forces on nodes; none where there are none.
     pub loads: Option<Loads>,
-    /// Nodes that are moved along given paths.
+    /// Nodes that are moved along given paths; none where there are none.
     pub drives: Option<Driven>,
 }
 
 /// Forces on nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Loads {
-    /// How many nodes.
+    /// Number of nodes.
     pub nodes: usize,
-    /// Their sum, world frame, N.
+    /// Sum of the forces, world frame, N.
     pub force_n: [f64; 3],
-    /// How many are brought up in time.
+    /// Number of forces that change in time.
     pub ramped: usize,
 }
 
 /// Nodes that are moved along given paths.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Driven {
-    /// How many.
+    /// Number of nodes.
     pub nodes: usize,
-    /// When the last of them has come to the end of its path, s.
+    /// Time at which the last path ends, s.
     pub until_s: f64,
 }
 
@@ -183,8 +184,8 @@ pub(super) fn ground(model: &Model) -> Option<GroundFacts> {
         height_m: ground.height,
         friction: ground.friction,
         restitution: asked.restitution.si(),
-        impact_speed_m_s: IMPACT,
-        impact_depth_m: IMPACT * asked.contact_time.si() / PI,
+        impact_speed_m_s: IMPACT_SPEED,
+        impact_depth_m: IMPACT_SPEED * asked.contact_time.si() / PI,
         nodes: ground.nodes.len(),
         body_points: ground.hulls.len(),
     })
@@ -241,7 +242,7 @@ fn canopies(air: &Air) -> Option<CanopiesInAir> {
 }
 
 fn bodies(air: &Air, outline: &AirOutline) -> BodiesInAir {
-    // the largest face of each, which it may turn to the wind or not
+    // the largest projected area of a body, whatever its orientation
     let face = |shape: &Shape| match *shape {
         Shape::Sphere(diameter) => FRAC_PI_4 * diameter * diameter,
         Shape::Cylinder { diameter, height } => diameter * height.max(FRAC_PI_4 * diameter),
