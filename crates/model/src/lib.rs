@@ -1,5 +1,5 @@
-//! What a scenario means: a [`Document`](netcast_scenario::Document) becomes a [`Model`], which is the system that is
-//! simulated, its state at the start, and the names of its parts.
+//! Turns a scenario into a model: a [`Document`](netcast_scenario::Document) becomes a [`Model`], the simulated system with
+//! its state at the start and the names of its parts.
 
 mod lower;
 mod model;

@@ -15,39 +15,39 @@ use crate::lower::{AirOutline, CutSheet, Draft, Group, Link, PlacedBody, Role, T
 /// A scenario ready to be simulated, with the names of its parts.
 #[derive(Debug, Clone)]
 pub struct Model {
-    /// The scenario with everything written out that was chosen on the way.
+    /// The scenario; values that it left out are filled in.
     pub scenario: Scenario,
-    /// What is simulated.
+    /// The simulated system.
     pub system: System,
-    /// The mass of it all, kg; in the system what is driven has none.
+    /// Total mass, kg. The system itself counts driven nodes as massless.
     pub mass: f64,
-    /// Where it starts, world frame.
+    /// The state at the start, world frame.
     pub state: State,
     /// The web as drawn and cut; node k of the system is node k of the web.
     pub cut: CutWeb,
-    /// Its cells as closed loops of nodes; see [`CutWeb::cells`].
+    /// The cells of the web as closed loops of nodes; see [`CutWeb::cells`].
     pub cells: Vec<Vec<usize>>,
-    /// Turns the launch frame (z along the launch axis) to the world.
+    /// Rotation from the launch frame (z along the launch axis) to the world frame.
     pub frame: DMat3,
-    /// Link class and rope by the system's class number.
+    /// Link class and rope of each class number of the system, (classes,).
     pub groups: Vec<Group>,
-    /// The tractors in order around the web; their nodes.
+    /// Nodes of the tractors in order around the web, (tractors,).
     pub tractors: Vec<usize>,
-    /// Payloads, sensor and tractors where they sit.
+    /// Payloads, sensor and tractors with their nodes.
     pub bodies: Vec<PlacedBody>,
-    /// How each tractor is thrown, in the order of the corners, (tractors,); none where it is not.
+    /// How each tractor is thrown, in the order of the corners, (tractors,); none for a tractor that is not thrown.
     pub throws: Vec<Option<Throw>>,
-    /// The canopies that are sheets, in order.
+    /// The canopies that are sheets, in the order of the web.
     pub sheets: Vec<CutSheet>,
     /// The bill of materials.
     pub bill: Bill,
-    /// The state at the start, looked over.
+    /// The audit of the packed web.
     pub audit: Audit,
-    /// What bounds the step.
+    /// The stability limit of the step, and its cause.
     pub limit: StepLimit,
-    /// What the air comes to; none where there is none.
+    /// Key figures of the air; none without air.
     pub air: Option<AirOutline>,
-    /// What was chosen or changed for the user, to be said.
+    /// Messages to the user about values that were chosen or changed.
     pub notes: Vec<String>,
     pub(crate) members: Vec<Member>,
 }
@@ -56,7 +56,7 @@ impl Model {
     /// Makes the model of a scenario, stage by stage.
     ///
     /// # Errors
-    /// Everything that does not fit, as far as it can be told at once, each with its place.
+    /// All mistakes that can be found in one pass, each with its place in the file.
     pub fn new(document: &Document) -> Result<Model, Diagnostics> {
         Ok(Draft::new(document)?.run()?.finish())
     }
@@ -86,29 +86,29 @@ impl Model {
         body.ties.first().map(|tie| tie.node)
     }
 
-    /// The links of the web, as `[assign]` can name them.
+    /// The links of the web under the names that `[assign]` accepts.
     pub fn links(&self) -> Vec<Link> {
         material::links(&self.cut.web, &self.members, &self.groups)
     }
 
-    /// Whether a segment is a piece of rope; members of canopies are not.
+    /// Whether a segment is a piece of rope, not a member of a canopy, a tie or a stitch.
     pub fn is_rope(&self, segment: usize) -> bool {
         self.members[segment].is_rope()
     }
 
-    /// The tractors that are rigid bodies, in the order of the corners; none for the others.
+    /// The rigid body of each tractor, in the order of the corners, (tractors,); none for a point mass.
     pub fn tractors_by_corner(&self) -> Vec<Option<(Solid, &Body)>> {
-        let at = |knot: &usize| {
-            let is_it = |placed: &&PlacedBody| {
+        let rigid_tractor = |knot: &usize| {
+            let is_at_knot = |placed: &&PlacedBody| {
                 placed.role == Role::Tractor && placed.rigid.is_some() && self.tied_to(placed.node) == Some(*knot)
             };
-            let placed = self.bodies.iter().find(is_it)?;
+            let placed = self.bodies.iter().find(is_at_knot)?;
             Some((placed.solid, &self.system.bodies()[placed.rigid?]))
         };
-        self.cut.web.tractors.iter().map(at).collect()
+        self.cut.web.tractors.iter().map(rigid_tractor).collect()
     }
 
-    /// The segments of rope that meet at some node of `nodes`, or at what is tied to a body there.
+    /// The segments of rope that end at one of `nodes`; a body's centre stands for the knot that is tied to the body.
     pub fn ropes_at(&self, nodes: &[usize]) -> Vec<usize> {
         let nodes: Vec<usize> = nodes.iter().map(|&node| self.tied_to(node).unwrap_or(node)).collect();
         let meets = |s: &Segment| s.ends.iter().any(|end| nodes.contains(end));
@@ -116,7 +116,7 @@ impl Model {
         segments.filter(|(i, s)| self.is_rope(*i) && meets(s)).map(|(i, _)| i).collect()
     }
 
-    /// Feature points by name with their nodes.
+    /// The feature points with their nodes, in the order of their names.
     pub fn points(&self) -> Vec<(String, usize)> {
         self.cut.web.points.iter().map(|(name, &site)| (name.clone(), self.cut.node_of(site))).collect()
     }

@@ -1,8 +1,8 @@
-//! What surrounds a web, and what of the web it drags at and buoys up.
+//! The air around a web: drag and buoyancy of its ropes, canopies and bodies.
 //!
-//! Ropes drag by class, canopies as triangles, whichever way they are modelled, bodies by their shape: rigid ones as they
-//! turn, the others as they were launched. What sits on a canopy that is larger than it is hidden by it: together they drag as
-//! the canopy does.
+//! Ropes drag by class. Canopies drag as triangles, however they are modelled. Bodies drag by their shape: a rigid body in
+//! its present orientation, any other in its orientation at launch. A canopy hides a smaller body that sits on it: the pair
+//! drags as the canopy alone.
 
 use std::f64::consts::PI;
 
@@ -31,18 +31,18 @@ use super::wind::wind;
 
 /// Apothem over side of a regular hexagon: sqrt(3)/2.
 const APOTHEM: f64 = 0.866_025_403_784_438_6;
-/// The speed that nothing is taken to fall faster than, m/s, in the bound of the wind relative to the net.
+/// Assumed largest speed of a fall, m/s. It enters the bound of the air speed past the net.
 const FALL: f64 = 30.0;
-/// How many times faster than anything is thrown a part of the net may become: ropes that jerk throw what is light.
+/// Assumed largest speed of a part over the largest launch speed: a jerking rope throws light parts.
 const JERKED: f64 = 3.0;
-/// Heights above the muzzle up to which a profile of the wind is tabulated, m.
+/// Least and largest height above the muzzle up to which a wind profile is tabulated, m.
 const LOWEST_TOP: f64 = 100.0;
 const HIGHEST_TOP: f64 = 3000.0;
 
-/// Puts the air round a web that is otherwise complete, where the scenario has any.
+/// Adds air, wind, drag and buoyancy to the parts of the system, if the scenario has air.
 ///
 /// # Errors
-/// A wind or a solidity that cannot be.
+/// A wind or a solidity that is impossible.
 pub fn surround(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, groups, bodies, .. } = &*draft;
     let Some(asked) = &scenario.environment.air else { return Ok(()) };
@@ -77,7 +77,7 @@ pub fn surround(draft: &mut Draft) -> Result<(), Diagnostics> {
         ..Air::new(medium, wind)
     };
     let lift = medium.density(0.0) * draft.parts.environment.gravity.length();
-    let buoyed = if asked.buoyancy == Some(true) { buoy(draft, &triangles, lift) } else { Buoyed::default() };
+    let buoyed = if asked.buoyancy == Some(true) { buoy(draft, &triangles, lift) } else { Buoyancy::default() };
     let outline = AirOutline {
         launch_speed,
         drawn_solidity,
@@ -93,7 +93,7 @@ pub fn surround(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Both, or what is wrong with either.
+/// Both values, or the diagnostics of both.
 fn both<A, B>(one: Result<A, Diagnostics>, other: Result<B, Diagnostic>) -> Result<(A, B), Diagnostics> {
     match (one, other) {
         (Ok(one), Ok(other)) => Ok((one, other)),
@@ -111,7 +111,8 @@ fn area(cut: &CutWeb, nodes: [usize; 3]) -> f64 {
     0.5 * (b - a).cross(c - a).length()
 }
 
-/// The fastest that anything is thrown or moved, m/s; in a tube, as the largest force all along it would.
+/// The largest speed at which anything is thrown or driven, m/s. Where the work of a tube is unknown, its largest force is
+/// taken to act along the whole stroke.
 fn launch_speed(parts: &SystemParts, state: &State) -> f64 {
     let at_start = state.velocity.iter().map(|velocity| velocity.length());
     let launched = parts.launchers.iter().map(|Launcher { node, by, .. }| match by {
@@ -131,13 +132,14 @@ fn launch_speed(parts: &SystemParts, state: &State) -> f64 {
     at_start.chain(launched).chain(driven).fold(0.0, f64::max)
 }
 
-/// No wind is faster, m/s.
+/// An upper bound of the wind speed, m/s.
 fn fastest(wind: &Wind) -> f64 {
     let mean = wind.mean.values.iter().copied().fold(0.0, f64::max);
     mean + wind.fluctuation.values.iter().map(|velocity| velocity.length()).fold(0.0, f64::max)
 }
 
-/// Projected area of the web's ropes as drawn, traction apart, over the area within its outline.
+/// Solidity of the flat web: projected area of its ropes, without traction ropes, over the area within its outline. None
+/// without an outline.
 fn drawn_solidity(draft: &Draft) -> Option<f64> {
     let area = draft.cut.web.reference_area().filter(|area| *area > 0.0)?;
     let projected = draft.members.iter().filter_map(|Member { segment, .. }| {
@@ -149,6 +151,7 @@ fn drawn_solidity(draft: &Draft) -> Option<f64> {
     Some(projected.sum::<f64>() / area)
 }
 
+/// The solidity that the scenario asks for; none where it asks for none.
 fn solidity(document: &Document, asked: &WrittenAir, drawn: Option<f64>) -> Result<Option<f64>, Diagnostic> {
     const KEY: &str = "environment.air.solidity";
     match (asked.solidity, drawn) {
@@ -166,7 +169,7 @@ fn solidity(document: &Document, asked: &WrittenAir, drawn: Option<f64>) -> Resu
     }
 }
 
-/// A body that drags, where it has a size.
+/// The drag of a body; none for a body without size.
 fn body_drag(draft: &Draft, body: &PlacedBody) -> Option<BodyDrag> {
     let Draft { scenario, cut, throws, parts, .. } = draft;
     let shape = drag_shape(&body.solid.shape)?;
@@ -179,7 +182,7 @@ fn body_drag(draft: &Draft, body: &PlacedBody) -> Option<BodyDrag> {
             let turn = at_launch(cut, scenario, throws[corner].as_ref(), corner);
             (body.node, Attitude::Fixed(turn), shape)
         }
-        // what is a part of a rigid canopy turns with it
+        // a part of a rigid canopy turns with it
         (_, None) => match carrying() {
             Some(rigid) => (parts.bodies[rigid].centre, Attitude::Body(rigid), along(&bound[rigid].axes, shape)),
             None => (body.node, Attitude::Fixed(DQuat::from_mat3(&frame(scenario))), shape),
@@ -188,7 +191,7 @@ fn body_drag(draft: &Draft, body: &PlacedBody) -> Option<BodyDrag> {
     Some(BodyDrag { node, attitude, shape })
 }
 
-/// A body's shape as the drag has it; none where it has no size.
+/// The shape of a body in the terms of body drag; none for a body without size.
 fn drag_shape(shape: &Shape) -> Option<DragShape> {
     Some(match shape.in_air()? {
         Shape::Cylinder { diameter_m: diameter, height_m: height } => DragShape::Cylinder { diameter, height },
@@ -198,7 +201,7 @@ fn drag_shape(shape: &Shape) -> Option<DragShape> {
     })
 }
 
-/// A shape along the axes of the canopy that it is fixed to, which are the web's or a quarter turn from these.
+/// A shape in the axes of the canopy that carries it. They are the axes of the web or a quarter turn from them.
 fn along(axes: &DMat3, shape: DragShape) -> DragShape {
     match shape {
         DragShape::Box(sides) => DragShape::Box((axes.transpose() * sides).abs()),
@@ -206,23 +209,25 @@ fn along(axes: &DMat3, shape: DragShape) -> DragShape {
     }
 }
 
-/// What buoys a web up.
+/// The buoyancy of a web.
 #[derive(Default)]
-struct Buoyed {
-    /// Upward forces on the nodes that are free.
+struct Buoyancy {
+    /// Upward forces on the free nodes.
     loads: Vec<Load>,
-    /// On all of it, N.
+    /// Buoyancy of the whole net, N.
     all: f64,
-    /// On the web without traction ropes and tractors, N.
+    /// Buoyancy of the web without traction ropes and tractors, N.
     web: f64,
 }
 
-/// What buoys ropes, canopies and bodies up, `lift` N for each cubic metre. What is held needs none, as it needs no weight.
-fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyed {
+/// Buoyancy of ropes, canopies and bodies, `lift` in N/m^3. A held node gets no load: it does not move.
+fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyancy {
     let Draft { scenario, cut, groups, members, bodies, parts, .. } = draft;
     let (mut upward, mut of_the_web) = (vec![0.0; parts.mass.len()], 0.0);
     let mut share = |nodes: &[usize], volume: f64, is_web: bool| {
-        nodes.iter().for_each(|&node| upward[node] += lift * volume / nodes.len() as f64);
+        for &node in nodes {
+            upward[node] += lift * volume / nodes.len() as f64;
+        }
         of_the_web += if is_web { lift * volume } else { 0.0 };
     };
     for Member { segment, .. } in members {
@@ -240,7 +245,7 @@ fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyed {
     }
     let buoyed = upward.iter().enumerate().filter(|&(node, force)| *force > 0.0 && !parts.held[node]);
     let loads = buoyed.map(|(node, &force)| Load { node, force: DVec3::Z * force, ramp: 0.0 }).collect();
-    Buoyed { loads, all: upward.iter().sum(), web: of_the_web }
+    Buoyancy { loads, all: upward.iter().sum(), web: of_the_web }
 }
 
 #[cfg(test)]
@@ -249,7 +254,7 @@ mod tests {
     use netcast_scenario::Air;
 
     #[test]
-    fn a_canopy_drags_as_a_plate_where_the_scenario_does_not_say() {
+    fn a_canopy_drags_as_a_plate_by_default() {
         assert_eq!(Air::default().sheet_coefficient.si(), PLATE);
     }
 }

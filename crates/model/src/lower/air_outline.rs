@@ -1,20 +1,20 @@
-//! What the air comes to.
+//! Key figures of the air.
 
-/// What the air comes to, for those who look at it.
+/// Key figures of the air, for reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AirOutline {
-    /// Fastest that anything is thrown, m/s.
+    /// Largest speed at which anything is thrown or driven, m/s.
     pub launch_speed: f64,
-    /// Share that the web's ropes take of the area within its outline as drawn; none where it has no outline.
+    /// Solidity of the flat web: share of the area within its outline that ropes cover. None without an outline.
     pub drawn_solidity: Option<f64>,
-    /// The solidity by which the drag of its ropes is that of a screen; none where each drags as if alone.
+    /// Solidity of the screen that the web's ropes drag as; none where each rope drags as if alone.
     pub solidity: Option<f64>,
-    /// Bodies that a canopy hides.
+    /// Number of bodies that a canopy hides.
     pub hidden: usize,
-    /// Bodies without size that no canopy hides: nothing drags at them.
+    /// Number of bodies without size that no canopy hides: they have no drag.
     pub sizeless: usize,
-    /// Upward force of the medium on all that it buoys up, N.
+    /// Buoyancy of the whole net, N.
     pub buoyancy: f64,
-    /// Of that, on the web without traction ropes and tractors.
+    /// Buoyancy of the web without traction ropes and tractors, N.
     pub web_buoyancy: f64,
 }

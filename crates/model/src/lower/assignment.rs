@@ -1,8 +1,9 @@
-//! `[assign]`: which rope each link of the web is made of.
+//! `[assign]`: the rope of each link of the web.
 //!
 //! A rope is given to a link class (`traction`), to a ring (`ring 2`, counted from the middle) or to a single link by
 //! the name that messages use (`radial link 24-29, rope 1`; `radial link 24-29` is both its ropes). The narrower
-//! prevails; a row of a graph's file that names its rope prevails over all. `netcast check --links` lists the names.
+//! assignment prevails. A row of a graph's file that names its rope prevails over all assignments. `netcast check --links`
+//! lists the names.
 
 use netcast_scenario::path::Path;
 use netcast_scenario::{Diagnostics, Document, Rope, RopeRow, Scenario, nearest};
@@ -10,7 +11,7 @@ use netcast_webs::{Class, Pieces, Rope as Link, Web};
 
 use super::draft::Draft;
 
-/// What the default rope is called.
+/// The name of the default rope.
 const DEFAULT: &str = "rope";
 
 /// The ropes of a scenario with their names, the default one last.
@@ -27,7 +28,7 @@ pub fn table_of(name: &str) -> Path {
     }
 }
 
-/// The rows of a graph's ropes, in the order of its links; none of another web.
+/// The file rows of a graph's ropes, in the order of its links; empty for any other web.
 pub fn rows(document: &Document) -> &[RopeRow] {
     document.files.graph.as_ref().map_or(&[][..], |graph| &graph.ropes)
 }
@@ -35,7 +36,7 @@ pub fn rows(document: &Document) -> &[RopeRow] {
 /// Gives each of the web's links its rope.
 ///
 /// # Errors
-/// What `[assign]` names and the web does not have.
+/// Names in `[assign]` that the web does not have.
 pub fn assign(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, notes, kinds, .. } = draft;
     let (web, rows, known) = (&cut.web, rows(document), ropes(scenario));
@@ -62,7 +63,7 @@ pub fn assign(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// The names of a link beside its own, the narrowest first: that of all its ropes, its ring, its class.
+/// The names that a link shares with others, the narrowest first: its double link, its ring, its class.
 fn names(link: &Link, ring: Option<usize>) -> [Option<String>; 3] {
     // "radial link 24-29, rope 1", "traction rope 2 (1 of 3)"
     let shared = link.label.find(", ").or_else(|| link.label.find(" ("));
@@ -73,7 +74,7 @@ fn names(link: &Link, ring: Option<usize>) -> [Option<String>; 3] {
     ]
 }
 
-/// What `[assign]` names and the web does not have.
+/// Reports names in `[assign]` that the web does not have.
 fn unknown_names(
     document: &Document,
     scenario: &Scenario,
@@ -103,17 +104,19 @@ fn unknown_names(
     Diagnostics::fail_if_any(found)
 }
 
-/// The number of each link's ring, from 1 in the middle: a ring is what links of class `ring` join, a canopy or a
-/// hexagon of rope counting as one knot. None for links of other classes.
+/// The ring number of each link, from 1 in the middle, (links,); none for links of other classes. A ring is a connected
+/// set of links of class `ring`; a canopy or a hexagon of rope counts as one knot.
 pub fn rings(web: &Web) -> Vec<Option<usize>> {
     let mut pieces = Pieces::new(web.knots.len());
     for link in web.ropes.iter().filter(|link| matches!(link.class, Class::Ring | Class::Hexagon)) {
         pieces.join(link.a, link.b);
     }
     for canopy in &web.canopies {
-        canopy.rim.iter().for_each(|&knot| pieces.join(canopy.hub, knot));
+        for &knot in &canopy.rim {
+            pieces.join(canopy.hub, knot);
+        }
     }
-    // by the distance of their nearest knot; what is equally far is in the order of the web
+    // rings are sorted by the distance of their nearest knot; equal distances keep the order of the web
     let distance = |link: &Link| {
         let from_middle = |knot: usize| web.knots[knot].position.distance(web.middle);
         from_middle(link.a).min(from_middle(link.b))

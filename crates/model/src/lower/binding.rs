@@ -1,7 +1,7 @@
-//! Nodes that are bound rigidly together: what becomes one rigid body of the system.
+//! Nodes that are bound together into one rigid body of the system.
 //!
-//! Mass m, centre c and inertia are those of the parts, each a mass m_i at r_i with an inertia I_i of its own about its
-//! middle (the parallel-axis theorem):
+//! Mass m, centre c and inertia I follow from the parts by the parallel-axis theorem. Part i has the mass m_i, its middle
+//! at r_i and the inertia I_i about that middle:
 //!
 //! ```text
 //! m = sum m_i,    c = sum m_i r_i / m,    I = sum I_i + m_i (|d|^2 1 - d d*),    d = r_i - c
@@ -21,7 +21,7 @@ pub struct Lump {
     pub place: DVec3,
     /// Its mass, kg.
     pub mass: f64,
-    /// Its moments of inertia about axes along the web's through its middle, kg m^2.
+    /// Its moments of inertia about its middle, along the axes of the web, kg m^2.
     pub inertia: DVec3,
 }
 
@@ -32,9 +32,9 @@ pub struct Binding {
     pub canopy: usize,
     /// What a message calls it.
     pub label: String,
-    /// The nodes; what they weigh becomes a part of the body.
+    /// The nodes; their mass becomes a part of the body.
     pub nodes: Vec<usize>,
-    /// What else is a part of it.
+    /// The other parts of the body.
     pub lumps: Vec<Lump>,
 }
 
@@ -43,17 +43,17 @@ pub struct Binding {
 pub struct Bound {
     /// Its canopy, as an index into the web's.
     pub canopy: usize,
-    /// As the system has it; its centre is a node of its own.
+    /// The body of the system; its centre is a node of its own.
     pub body: Body,
     /// Its principal axes in the flat web.
     pub axes: DMat3,
 }
 
-/// A moment that is nothing beside the others, relative.
+/// Relative difference of two moments of inertia below which they count as equal.
 const ROUNDING: f64 = 1e-12;
 
 impl Binding {
-    /// Makes the body, with a node in its centre; `mass` of nodes, kg, moves there.
+    /// Makes the body and adds a node at its centre. The `mass` of the bound nodes, kg, moves to that node.
     pub fn bind(self, cut: &mut CutWeb, mass: &mut Vec<f64>) -> Bound {
         let of_node = |&node: &usize| Lump { place: cut.nodes[node], mass: mass[node], inertia: DVec3::ZERO };
         let parts: Vec<Lump> = self.nodes.iter().map(of_node).chain(self.lumps).collect();
@@ -68,7 +68,7 @@ impl Binding {
         let DVec3 { x: xx, y: yy, z: zz } = inertia;
         let (mean, difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
         let radius = (difference * difference + product * product).sqrt();
-        // with equal moments every direction will do; that of rounding would not be the same in equal canopies
+        // equal moments leave the direction free; rounding would choose differently in equal canopies
         let angle = if radius > ROUNDING * mean { 0.5 * libm::atan2(product, difference) } else { 0.0 };
         let (sin, cos) = libm::sincos(angle);
         let x = DVec3::new(cos, sin, 0.0);
@@ -76,7 +76,9 @@ impl Binding {
 
         let tie = |&node: &usize| Tie { node, arm: axes.transpose() * (cut.nodes[node] - centre) };
         let ties = self.nodes.iter().map(tie).collect();
-        self.nodes.iter().for_each(|&node| mass[node] = 0.0);
+        for &node in &self.nodes {
+            mass[node] = 0.0;
+        }
         mass.push(total);
         let inertia = DVec3::new(mean + radius, mean - radius, zz);
         let centre = cut.add_node(self.canopy, centre, format!("the centre of {}", self.label));
@@ -103,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn four_masses_on_a_tilted_rectangle() {
+    fn four_masses_on_a_tilted_rectangle_have_its_inertia_and_axes() {
         // half lengths 0.3 and 0.1, turned so that the long one lies along (0.8, 0.6)
         let corner = |a: f64, b: f64| (1.0 + 0.8 * a - 0.6 * b, 2.0 + 0.6 * a + 0.8 * b, 0.5);
         let (bound, mass, net) =
@@ -122,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lump_off_the_centre_brings_its_own_inertia_and_its_distance() {
+    fn a_lump_off_the_centre_adds_its_own_inertia_and_its_parallel_axis_term() {
         let lump = Lump { place: DVec3::new(0.2, 0.0, 0.0), mass: 3.0, inertia: DVec3::new(0.1, 0.2, 0.3) };
         let (bound, _, net) = bound(&[(-0.2, 0.0, 1.0)], vec![lump]);
         assert!(net.nodes[bound.body.centre].distance(DVec3::new(0.1, 0.0, 0.0)) < 1e-15);

@@ -1,8 +1,7 @@
-//! Tractors that ropes can turn: rigid bodies, each with a node at its centre, which carries the knot that its ropes are
-//! tied to.
+//! Tractors as rigid bodies. Each has a node at its centre of mass and carries the knot that its ropes are tied to.
 //!
-//! A tractor whose ropes are tied at its centre of mass feels no torque: it stays the mass of its knot. What the ropes'
-//! last pieces put on the knot counts with the mass of the body, not with its inertia.
+//! A tractor whose ropes are tied at its centre of mass feels no torque and stays a mass on its knot. The mass of the last
+//! rope segments on the knot adds to the mass of the body, not to its inertia.
 
 use glam::{DMat3, DQuat, DVec3};
 use netcast_dynamics::body::{Body, Tie};
@@ -13,7 +12,10 @@ use super::draft::Draft;
 use super::members::{PlacedBody, Role};
 use super::throw::Throw;
 
-/// Makes rigid bodies of the tractors that are tied elsewhere than at their centre, and places these on their centres.
+/// Makes a rigid body of each tractor that is tied away from its centre, and moves the tractor to a new node there.
+///
+/// # Errors
+/// A tractor that is held or has no size.
 pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, throws, bodies: placed, parts, state, .. } = draft;
     let mut found = Vec::new();
@@ -23,9 +25,10 @@ pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
         let Some(index) = cut.web.tractors.iter().position(|tractor| *tractor == knot) else { continue };
         let Some((arm, path)) = arm(scenario, index as u32 + 1, body) else { continue };
         let (Some(inertia), false) = (body.solid.inertia_kg_m2(), parts.held[knot]) else {
-            let (message, help) = match parts.held[knot] {
-                true => ("the corner that it is tied to is held by [hold]", "tie it at its centre"),
-                false => ("a particle has a centre only", "give it a size, such as [tractor.cylinder]"),
+            let (message, help) = if parts.held[knot] {
+                ("the corner that it is tied to is held by [hold]", "tie it at its centre")
+            } else {
+                ("a particle has a centre only", "give it a size, such as [tractor.cylinder]")
             };
             found.push(document.diagnostic(&path, format!("tractor {}: {message}", index + 1)).with_help(help));
             continue;
@@ -47,7 +50,7 @@ pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// Makes what acts on a tractor, or throws it, do so at its centre, and lists the tractors' centres.
+/// Moves loads and throws of a tractor from its knot to its centre, and lists the centres of the tractors.
 pub fn act_on_centres(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { cut, throws, tractors, parts, .. } = draft;
     let bodies = &parts.bodies;
@@ -65,7 +68,8 @@ pub fn act_on_centres(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Where the ropes of the tractor at a corner, from 1, are tied, from its centre along its axes, m, and what says so.
+/// The tie point of the tractor at `corner`, from 1: its place from the centre in body axes, m, and the path of its key in
+/// the scenario. None where the ropes are tied at the centre.
 fn arm(scenario: &Scenario, corner: u32, body: &PlacedBody) -> Option<(DVec3, String)> {
     let entry = scenario.tractors.iter().position(|tractor| tractor.corner.get() == corner);
     let own = entry.map(|index| {
@@ -88,7 +92,7 @@ fn arm(scenario: &Scenario, corner: u32, body: &PlacedBody) -> Option<(DVec3, St
     is_elsewhere.then(|| (arm, format!("{path}.{key}")))
 }
 
-/// How the tractor at a corner, from 0, is turned to the world at the start.
+/// Orientation of the tractor at `corner`, from 0, at the start: from body axes to the world frame.
 pub fn at_launch(cut: &CutWeb, scenario: &Scenario, throw: Option<&Throw>, corner: usize) -> DQuat {
     let frame = super::throw::frame(scenario);
     let axis = frame * DVec3::Z;
@@ -100,7 +104,7 @@ pub fn at_launch(cut: &CutWeb, scenario: &Scenario, throw: Option<&Throw>, corne
     attitude(pointing, axis.cross(outwards))
 }
 
-/// Turns z to `pointing` and y as near to `around` as can be.
+/// The rotation that turns z to `pointing`, a unit vector, and y as near to `around` as possible.
 fn attitude(pointing: DVec3, around: DVec3) -> DQuat {
     let y = around.reject_from_normalized(pointing).try_normalize();
     let y = y.unwrap_or_else(|| pointing.any_orthonormal_vector());
@@ -112,13 +116,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_attitude_points_where_it_should_and_keeps_y_round_the_axis() {
+    fn an_attitude_turns_z_to_the_direction_and_y_to_the_axis_across() {
         let (pointing, around) = (DVec3::new(0.6, 0.0, 0.8), DVec3::Y);
         let turned = attitude(pointing, around);
         assert!((turned * DVec3::Z - pointing).length() < 1e-15);
         assert!((turned * DVec3::Y - around).length() < 1e-15);
         assert!((turned * DVec3::X - DVec3::new(0.8, 0.0, -0.6)).length() < 1e-15);
-        // along what it should be turned about, any turn will do
+        // no direction across is defined: any y will do
         assert!((attitude(DVec3::Y, DVec3::Y) * DVec3::Z - DVec3::Y).length() < 1e-15);
     }
 }

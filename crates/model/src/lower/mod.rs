@@ -1,7 +1,7 @@
-//! From what the user wrote to what is simulated: a [`Document`](netcast_scenario::Document) becomes a
-//! [`Model`](crate::Model), stage by stage. `STAGES` has their order and what each of them needs.
+//! The stages that turn a [`Document`](netcast_scenario::Document) into a [`Model`](crate::Model). `STAGES` lists their
+//! order and the stages that each one needs.
 //!
-//! Everything that does not fit is reported at the place in the file that says so.
+//! A mistake is reported at its place in the file.
 
 use Stage::*;
 use netcast_scenario::Diagnostics;
@@ -50,7 +50,7 @@ pub use packing::Packing;
 pub use stowing::node_id;
 pub use throw::{Throw, Thrown};
 
-/// A step on the way to a model, once the web is drawn.
+/// One stage of making a model from a drawn web.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stage {
     Points,
@@ -83,67 +83,67 @@ pub(crate) enum Stage {
     Notes,
 }
 
-/// What a stage does: adds to the draft, or says what does not fit.
+/// The work of a stage: it extends the draft, or reports mistakes.
 type Make = fn(&mut Draft) -> Result<(), Diagnostics>;
 
-/// The stages in their order, each with those that it cannot do without. A stage that reads what another may have left
-/// incomplete, and makes do with it, does not need that.
+/// The stages in their order, each with the stages that must have succeeded before. A stage that copes with the
+/// incomplete work of another does not list it.
 pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // the names of feature points
     (Points, &[], points::check),
     // which rope each link has
     (Assignment, &[], assignment::assign),
-    // link classes with their ropes, and the laws of these
+    // pairs of link class and rope, with the law of the rope
     (Laws, &[Assignment], material::groups),
     // ropes as segments with stiffness, damping and mass
     (Ropes, &[Laws], material::ropes),
     // where ropes resist bending
     (Bends, &[Assignment], material::bends),
-    // what sits on the web
+    // payloads, sensor and tractors
     (Bodies, &[], material::place_bodies),
-    // links, plates and sheets, and what of them is rigid; adds nodes
+    // canopies as links, plates or sheets; adds nodes
     (Canopies, &[Ropes, Bodies], canopies::make),
-    // what weighs on the nodes beside ropes and canopies
+    // masses of bodies and of a graph's nodes
     (Masses, &[Canopies], material::masses),
     // the bill of materials
     (Bill, &[Assignment, Bodies], material::list),
-    // where the nodes lie; without masses, nothing is led into a container
+    // positions of the nodes; leading a web into a container needs masses
     (Stowing, &[], stowing::stow),
     // forces on the nodes
     (Loads, &[Ropes, Points], loads::load),
-    // what is moved along paths
+    // nodes that follow given paths
     (Drives, &[Stowing, Points], drives::drive),
-    // how the tractors are thrown, as meant and as chance has it
+    // how the tractors are thrown, with scatter
     (Throws, &[], launch::throws),
-    // what stays put
+    // nodes that are held
     (Held, &[], selection::hold),
-    // whether the packing stretches anything
+    // whether the packing stretches a rope or a sheet
     (Audit, &[Masses, Stowing], stowing::audit),
-    // all of that as the parts of a system
+    // the parts of the system
     (Assembly, &[Masses, Stowing], system::assemble),
-    // tractors that ropes can turn; adds nodes
+    // tractors as rigid bodies that ropes can turn; adds nodes
     (RigidBodies, &[Assembly, Throws, Held], bodies::make_rigid),
-    // what is driven is held, a rigid body at its centre
+    // driven nodes count as held; a rigid body is driven at its centre
     (Hold, &[Assembly, Drives], drives::take_hold),
-    // what acts on a tractor acts on its centre
+    // loads and throws of a tractor move to its centre
     (Centres, &[Assembly], bodies::act_on_centres),
-    // velocities, and launchers of those that start later
+    // velocities at the start, and launchers of tractors that start later
     (Launch, &[Centres], release::launch),
-    // what covers and a late sector hold back
+    // nodes that covers or a late sector hold back
     (Covers, &[Launch], release::hold_back),
-    // ties and stitches, between nodes that do not both rest; adds nodes
+    // break ties and stitches; adds nodes
     (Ties, &[Points, Launch], ties::tie),
     // the ground under all nodes and bodies
     (Ground, &[RigidBodies], ground::lay),
-    // what drags at all of it, and buoys it up
+    // drag and buoyancy
     (Air, &[RigidBodies], air::surround),
-    // the parts, checked against each other
+    // the system, built from its parts and checked
     (System, &[Bends, Loads, Held, Hold, Covers, Ties, Ground, Air, Audit, Bill], system::build),
-    // how large a step may be, and whether the run will end
+    // the size of the step, and whether the number of steps is affordable
     (Steps, &[System], stepping::choose),
-    // whether there is an equilibrium, where one is looked for
+    // whether the equilibrium exists that `solve.static` asks for
     (Statics, &[System], statics::check),
-    // what may not have been expected
+    // notes to the user
     (Notes, &[System], notes::add),
 ];
 
