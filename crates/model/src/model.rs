@@ -66,12 +66,12 @@ impl Model {
         self.frame * DVec3::Z
     }
 
-    /// What a message calls a segment, such as "segment 12 of traction rope 3".
+    /// The name of a segment in messages, such as "segment 12 of traction rope 3".
     pub fn segment_label(&self, segment: usize) -> String {
         self.members[segment].label(&self.cut)
     }
 
-    /// What a message calls a node, such as "knot 12".
+    /// The name of a node in messages, such as "knot 12".
     pub fn node_label(&self, node: usize) -> String {
         match self.tied_to(node) {
             Some(knot) => format!("the centre of {}", self.cut.node_label(knot)),

@@ -1,4 +1,4 @@
-//! The air and the wind of a scenario: what they come to in the model, and what can be wrong with them.
+//! Air and wind of a scenario: the parts that the model makes of them, and the mistakes that it reports.
 
 use std::f64::consts::PI;
 
@@ -23,7 +23,7 @@ traction_rope = { length = "0.5 m", count = 2 }
 solve.duration = "0.1 s"
 "#;
 
-/// The model of a scenario, `wind.csv` beside it.
+/// The model of a scenario with `csv` as the file `wind.csv` beside it.
 fn model_with(text: &str, csv: &str) -> Result<Model, Diagnostics> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("wind.csv"), csv).unwrap();
@@ -34,7 +34,7 @@ fn model(text: &str, more: &str) -> Model {
     model_with(&format!("{text}{more}"), "").unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
-/// What is wrong with the net, as lines without the file's name.
+/// The mistakes in the net, as lines without the name of the file.
 fn wrong(more: &str, csv: &str) -> Vec<String> {
     let Err(Diagnostics(found)) = model_with(&format!("{NET}{more}"), csv) else { panic!("nothing is wrong: {more}") };
     let help = |help: &Option<String>| help.as_ref().map_or(String::new(), |help| format!(" ({help})"));
@@ -42,7 +42,7 @@ fn wrong(more: &str, csv: &str) -> Vec<String> {
 }
 
 #[test]
-fn alone_it_is_the_standard_atmosphere_at_sea_level_and_every_rope_drags_as_if_alone() {
+fn by_default_the_air_is_standard_at_sea_level_and_each_rope_drags_as_if_alone() {
     let net = model(NET, "[environment.air]");
     let air = net.system.environment().air.as_ref().unwrap();
     assert!((air.medium.density(0.0) - 1.225).abs() < 1e-12 && (air.medium.viscosity() / 1.7894e-5 - 1.0).abs() < 1e-4);
@@ -59,7 +59,7 @@ fn alone_it_is_the_standard_atmosphere_at_sea_level_and_every_rope_drags_as_if_a
 }
 
 #[test]
-fn a_screen_is_what_the_web_s_own_ropes_take_of_its_area_and_traction_is_no_part_of_it() {
+fn the_solidity_of_the_web_is_projected_rope_over_area_without_traction_ropes() {
     let more = "traction_rope.length = \"0.5 m\"\ntractor.particle.mass = 1\nenvironment.air.solidity";
     let net = model(NET, &format!("{more} = \"web\""));
     // ten ropes of 2 m over 4 m^2
@@ -76,7 +76,7 @@ fn a_screen_is_what_the_web_s_own_ropes_take_of_its_area_and_traction_is_no_part
 }
 
 #[test]
-fn water_buoys_up_what_it_displaces() {
+fn buoyancy_is_the_weight_of_the_displaced_medium() {
     let more = "environment.air = { density = \"1000 kg/m^3\", viscosity = \"1 mPa s\", added_mass = 1 }\n\
                 tractor.sphere = { diameter = \"0.1 m\", mass = 2 }\n[[tractors]]\ncorner = 2\nparticle.mass = 3";
     let net = model(NET, more);
@@ -86,7 +86,7 @@ fn water_buoys_up_what_it_displaces() {
     assert!((lift - DVec3::Z * (rope + 3.0 * sphere)).length() < 1e-15, "{lift}");
     let outline = net.air.unwrap();
     assert!((outline.web_buoyancy / (1000.0 * 9.80665 * rope) - 1.0).abs() < 1e-12);
-    // what is held, and in air
+    // held nodes get no load; then the same in air
     let held = model(NET, "environment.air = { density = 1000, viscosity = 0.001 }\nhold.corners = true");
     assert_eq!(held.system.loads().len(), net.system.loads().len() - 4);
     let bare = model(NET, "environment.air = { altitude = \"2 km\", buoyancy = true }");
@@ -95,7 +95,7 @@ fn water_buoys_up_what_it_displaces() {
 }
 
 #[test]
-fn canopies_drag_as_triangles_however_they_are_modelled_and_hide_what_they_carry() {
+fn every_kind_of_canopy_drags_as_triangles_and_hides_its_payload() {
     let hexagon = 1.5 * 3f64.sqrt() * 0.14 * 0.14;
     let kinds = [("links", "", 6), ("rigid", "", 6), ("membrane", ", fineness = 2", 24)];
     for (kind, more, triangles) in kinds {
@@ -108,12 +108,12 @@ fn canopies_drag_as_triangles_however_they_are_modelled_and_hide_what_they_carry
         let area: f64 = air.sheets.iter().map(|sheet| sheet.area).sum();
         assert!((area / (count * hexagon) - 1.0).abs() < 1e-12, "{kind}: {area}");
         assert!(air.sheets.iter().all(|sheet| (sheet.coefficient - 0.75 * 1.17).abs() < 1e-15));
-        // tractors only
+        // only tractors are left
         let shape = Shape::Cylinder { diameter: 0.1, height: 0.2 };
         assert!(air.bodies.len() == 6 && air.bodies.iter().all(|body| body.shape == shape), "{kind}");
         let outline = net.air.as_ref().unwrap();
         assert_eq!(outline.hidden as f64, f64::from(net.bill.payloads as u32), "{kind}");
-        // all that has a size displaces air
+        // everything with a size displaces air
         let volume = (net.bill.ropes[0].length * PI * 2.25e-6)
             + count * hexagon * 0.01
             + net.bill.payloads as f64 * PI / 4.0 * 0.06 * 0.06 * 0.066
@@ -123,8 +123,8 @@ fn canopies_drag_as_triangles_however_they_are_modelled_and_hide_what_they_carry
 }
 
 #[test]
-fn a_body_larger_than_its_canopy_drags_as_that_is_turned() {
-    // one side is much longer: the first of the principal axes goes with the largest moment, across it
+fn a_body_larger_than_its_rigid_canopy_turns_with_it() {
+    // one side is much longer: the first principal axis has the largest moment and lies across that side
     let body = "[environment.air]\n[payload.box]\nwidth = \"0.6 m\"\ndepth = \"0.2 m\"\nheight = \"0.1 m\"";
     let text = SPACE.replace("payload.cylinder = {}\n", "");
     let rigid = model(&text, &format!("canopy.rigid.side = \"0.14 m\"\n{body}"));
@@ -142,7 +142,7 @@ fn a_body_larger_than_its_canopy_drags_as_that_is_turned() {
 }
 
 #[test]
-fn a_particle_is_hidden_as_what_it_is_to_the_air() {
+fn a_canopy_hides_a_particle_that_is_smaller_in_the_air() {
     let particles = |diameter: &str| {
         let net = model(
             &SPACE.replace("payload.cylinder = {}", &format!("payload.particle = {{ mass = 0.2{diameter} }}")),
@@ -167,7 +167,7 @@ fn a_particle_is_hidden_as_what_it_is_to_the_air() {
 }
 
 #[test]
-fn a_tractor_drags_the_way_it_flies() {
+fn a_tractor_drags_in_its_orientation_at_launch() {
     let launch = "[environment.air]\n[launch]\naxial_speed = \"30 m/s\"\nradial_speed = \"40 m/s\"";
     for (more, along) in [("", [0.8, 0.6]), ("\nattitude = \"axis\"", [0.0, 1.0])] {
         let net = model(NET, &format!("tractor.cylinder = {{}}\n{launch}{more}"));
@@ -211,20 +211,20 @@ fn a_wind_has_its_direction_its_profile_and_its_gust() {
     close(blown(log).wind.at(10.0, 0.0), DVec3::X * 5.0);
     close(blown(log).wind.at(40.0, 0.0), DVec3::X * 5.0 * 400f64.ln() / 100f64.ln());
     close(blown(log).wind.at(0.05, 0.0), DVec3::ZERO);
-    // the ground says where a profile begins
+    // a profile begins at the ground
     let over_ground = log.to_owned() + "\n[environment.ground]\nheight = \"-3 m\"";
     close(blown(&over_ground).wind.at(7.0, 0.0), DVec3::X * 5.0);
     let gust =
         "speed = \"5 m/s\"\ngust = { speed = \"4 m/s\", at = \"0.5 s\", duration = \"1 s\", azimuth = \"180 deg\" }";
     close(blown(gust).wind.at(3.0, 1.0), DVec3::X);
     close(blown(gust).wind.at(3.0, 1.6), DVec3::X * 5.0);
-    // where the wind blows, if it does not say
+    // a gust without azimuth blows along the wind
     let gust = "speed = 0\nazimuth = \"-90 deg\"\ngust = { speed = \"4 m/s\", at = 0, duration = \"1 s\" }";
     close(blown(gust).wind.at(3.0, 0.75), DVec3::Y * -2.0);
 }
 
 #[test]
-fn turbulence_is_as_strong_as_asked_for_comes_with_the_gust_and_hangs_on_its_seed() {
+fn turbulence_has_its_variance_adds_to_the_gust_and_depends_on_its_seed() {
     let blown = |wind: &str| {
         let run = NET.replace("\"2 s\"", "\"100 s\"");
         let net =
@@ -239,7 +239,7 @@ fn turbulence_is_as_strong_as_asked_for_comes_with_the_gust_and_hangs_on_its_see
             let variance = values.iter().map(|v| v[k] * v[k]).sum::<f64>() / values.len() as f64;
             assert!((variance / 1.44 - 1.0).abs() < 0.15, "{kind} {k}: {variance}");
         }
-        // isotropic: no component goes with another
+        // isotropic: components are uncorrelated
         let product = values.iter().map(|v| v.x * v.z).sum::<f64>() / values.len() as f64;
         assert!(product.abs() < 0.2, "{product}");
         assert_eq!(wind, blown(&eddies(kind, "intensity = 0.15")));
@@ -253,7 +253,7 @@ fn turbulence_is_as_strong_as_asked_for_comes_with_the_gust_and_hangs_on_its_see
     }
 }
 
-/// One seed, ten minutes: the spectra as published, along the wind.
+/// Along the wind, for one seed; held against the published spectra.
 #[test]
 fn ten_minutes_of_turbulence_have_its_variance_and_its_spectrum() {
     let (speed, scale, deviation) = (8.0, 20.0, 1.2);
@@ -273,7 +273,7 @@ fn ten_minutes_of_turbulence_have_its_variance_and_its_spectrum() {
             let ratio = variance / (deviation * deviation);
             assert!((ratio - 1.0).abs() < 0.1, "{kind} {k}: {ratio} of the variance");
         }
-        // what lies between two frequencies, by a discrete Fourier transform of those alone; every tenth value will do
+        // energy between two frequencies by a discrete Fourier transform; every tenth value suffices
         let values: Vec<f64> = series.values.iter().step_by(10).map(|v| v.x).collect();
         let (count, [low, high]) = (values.len() as f64, [0.2, 0.6]);
         let lasts = count * 10.0 * series.spacing;
@@ -294,7 +294,7 @@ fn ten_minutes_of_turbulence_have_its_variance_and_its_spectrum() {
 }
 
 #[test]
-fn a_measured_wind_is_taken_as_it_is() {
+fn a_measured_wind_is_interpolated_between_its_rows() {
     let csv = "t,vx,vy,vz\n-1,2,0,0\n0,4,1,0\n0.5,0,1,0.5\n2,3,1,0\n";
     let text = format!("{NET}[environment.air]\n[environment.wind.series]\nfile = \"wind.csv\"");
     let net = model_with(&text, csv).unwrap();
@@ -309,7 +309,7 @@ fn a_measured_wind_is_taken_as_it_is() {
 }
 
 #[test]
-fn what_may_not_be_expected_is_said() {
+fn notes_warn_of_damping_beside_air_of_particles_without_size_and_of_a_still_net() {
     let notes = |more: &str| model(NET, more).notes.join("\n");
     let damped = |more: &str| notes(&format!("environment.damping = \"8.3 1/s\"\n{more}"));
     assert!(damped("[environment.air]").contains("comes on top of the drag of the air"));
@@ -327,7 +327,7 @@ fn what_may_not_be_expected_is_said() {
 }
 
 #[test]
-fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
+fn the_terminal_speed_balances_weight_and_drag() {
     let net = model(NET, "environment.air = { normal_coefficient = 1.1 }");
     // m g / (1/2 rho C d L): a section of 4 mm and 1140 kg/m^3
     let expected = (1140.0 * PI / 4.0 * 4e-3 * 9.80665 / (0.5 * 1.225 * 1.1)).sqrt();
@@ -335,7 +335,7 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
     assert!((speed / expected - 1.0).abs() < 1e-9, "{speed} and {expected}");
     let ropes = net.ropes_in_air();
     assert!(ropes.len() == 1 && (ropes[0].area - 20.0 * 4e-3).abs() < 1e-12 && ropes[0].normal == 1.1);
-    // with payloads larger than their canopies, which drag and weigh: boxes, from below
+    // payloads larger than their canopies: boxes that drag with their lower side
     let payloads = "payload.box = { width = 0.5, depth = 0.4, height = 0.3, mass = 1.5 }";
     let text = SPACE.replace("payload.cylinder = {}", payloads);
     let air = "canopy.links = { side = \"0.14 m\" }\nenvironment.air = { normal_coefficient = 1.1 }";
@@ -346,7 +346,7 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
     let expected = (net.bill.web_mass() * 9.80665 / (0.5 * 1.225 * area)).sqrt();
     let Some(Fall::At(speed)) = net.fall() else { panic!("it does not fall") };
     assert!((speed / expected - 1.0).abs() < 1e-9, "{speed} and {expected}");
-    // less dense than water
+    // a rope less dense than water
     let afloat = NET.replace("1140", "970");
     let afloat = model(&afloat, "environment.air = { density = 1000, viscosity = \"1 mPa s\" }");
     assert_eq!(afloat.fall(), Some(Fall::Floats));
@@ -356,7 +356,7 @@ fn a_flat_web_falls_as_fast_as_its_weight_and_its_area_say() {
 }
 
 #[test]
-fn what_does_not_fit_is_told_with_its_place() {
+fn mistakes_are_reported_at_their_place() {
     let told = |more: &str, csv: &str, expected: &str| assert_eq!(wrong(more, csv), [expected], "{more}");
     told(
         "[environment.wind]\nspeed = 3",
@@ -436,7 +436,7 @@ fn what_does_not_fit_is_told_with_its_place() {
     blown(
         "speed = 20\nturbulence.dryden = { deviation = 1, length_scale = 3 }",
         "",
-        "environment.wind.turbulence.dryden.length_scale: eddies of 3 m pass faster than the tables can tell: expected at least \
+        "environment.wind.turbulence.dryden.length_scale: eddies of 3 m pass faster than the tables resolve: expected at least \
          4 m",
     );
     blown(
@@ -457,8 +457,8 @@ fn what_does_not_fit_is_told_with_its_place() {
     blown(
         "series.file = \"wind.csv\"",
         "t,vx,vy,vz\n0,1,2,3\n0.0000001,1,2,3\n1,1,2,3\n",
-        "environment.wind.series.file: its rows lie too unevenly for a table of 1e6 entries (leave rows out that lie next to \
-         each other, or even them out)",
+        "environment.wind.series.file: the times of its rows are too uneven for a table of 1e6 entries (leave out rows that lie \
+         close together, or space them evenly)",
     );
     blown("series.file = \"wind.csv\"", "t,vx,vy,vz\n", "environment.wind.series.file: the file has no rows");
 }

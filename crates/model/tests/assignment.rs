@@ -1,4 +1,4 @@
-//! `[assign]`: ropes for link classes, rings, single links and rows of a graph's file; the narrower prevails.
+//! `[assign]`: ropes for link classes, rings, single links and rows of a graph's file. The narrower assignment prevails.
 
 mod common;
 
@@ -33,7 +33,7 @@ fn refused(web: &str, assign: &str) -> Vec<String> {
     found.iter().map(ToString::to_string).collect()
 }
 
-/// How many links are of each rope.
+/// Number of links of each rope.
 fn counts(links: &[Link]) -> BTreeMap<&str, usize> {
     let mut counts = BTreeMap::new();
     for link in links {
@@ -48,7 +48,7 @@ fn rope_of<'l>(links: &'l [Link], name: &str) -> &'l str {
 
 const SPACE: &str = "[web.space]\nside = 2.5\n[traction_rope]\nlength = 1\ncount = 2\n";
 
-/// Hexagons of 6 and 12 links round the middle, each of two ropes; the third is the outline.
+/// Hexagons of 6 and 12 double links round the middle; the third hexagon is the outline.
 #[test]
 fn rings_are_counted_from_the_middle() {
     for web in [SPACE, "[web.topological]\nside = 2.5\n"] {
@@ -76,7 +76,7 @@ fn a_link_prevails_over_its_ring_and_a_ring_over_its_class() {
 }
 
 #[test]
-fn a_rope_has_the_mass_and_stiffness_of_its_kind() {
+fn a_link_has_the_mass_and_stiffness_of_its_assigned_rope() {
     let model = model("[web.square]\nside = 2\nmesh = 1\n[hold]\ncorners = true\n", "\"inner rope 2\" = \"thin\"\n");
     let kinds: Vec<(&str, f64)> = model.bill.ropes.iter().map(|kind| (&kind.name[..], kind.length)).collect();
     assert_eq!(kinds, [("rope", 11.0), ("thin", 1.0)]);
@@ -92,7 +92,7 @@ fn a_rope_has_the_mass_and_stiffness_of_its_kind() {
 const SQUARE: &str = "[web.square]\nside = 2\nmesh = 0.5\n";
 
 #[test]
-fn names_that_no_link_has_are_told_with_the_nearest() {
+fn an_unknown_name_is_reported_with_the_nearest_known_one() {
     let found = refused(SQUARE, "outlin = \"thick\"\n\"inner rope 99\" = \"thin\"\n");
     assert_eq!(found.len(), 2, "{found:#?}");
     assert!(found[0].contains("assign.outlin: this web has no link class \"outlin\", nor a ring or link of that name"));
@@ -103,12 +103,12 @@ fn names_that_no_link_has_are_told_with_the_nearest() {
 }
 
 #[test]
-fn a_rope_that_nothing_is_made_of_is_told() {
+fn a_note_tells_of_a_rope_that_no_link_is_made_of() {
     let notes = model(SQUARE, "outline = \"thick\"\n").notes;
     assert!(notes.contains(&"no link is made of [ropes.thin]".to_owned()), "{notes:?}");
     let is_told = |notes: &[String]| notes.iter().any(|note| note.starts_with("no link is made of"));
     assert!(!is_told(&model(SQUARE, "outline = \"thick\"\ninner = \"thin\"\n").notes));
-    // a class of which every link has another rope
+    // the class is assigned, but each of its links has a rope of its own
     let notes = model(
         "[web.square]\nside = 1\nmesh = 1\n",
         "outline = \"thin\"\n\"outline rope 1\" = \"thick\"\n\
@@ -118,9 +118,9 @@ fn a_rope_that_nothing_is_made_of_is_told() {
     assert!(notes.contains(&"no link is made of [ropes.thin]".to_owned()), "{notes:?}");
 }
 
-/// Both scenarios of docs/materials.md, put into a space web.
+/// Both scenarios of docs/materials.md, applied to a space web.
 #[test]
-fn the_documented_scenarios_are_what_they_say() {
+fn the_documented_assignments_give_the_ropes_that_the_page_says() {
     let page = include_str!("../../../docs/materials.md");
     let blocks: Vec<&str> = page.split("```toml\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
     let [library, ropes] = blocks[..] else { panic!("{} scenarios", blocks.len()) };

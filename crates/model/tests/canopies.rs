@@ -1,5 +1,5 @@
-//! The three kinds of canopy in a scenario: masses and inertia against closed forms, how they are packed, what is said of
-//! wrong ones.
+//! The three kinds of canopy in a scenario: masses and inertia against closed forms, packing, and the mistakes that are
+//! reported.
 
 use std::fs;
 use std::path::Path;
@@ -9,11 +9,11 @@ use netcast_model::{Model, node_id};
 use netcast_scenario::{Diagnostics, Document, Source};
 
 const SIDE: f64 = 0.14;
-/// 3 sqrt(3)/2 side^2, 10 mm thick, 2000 kg/m^3.
+/// Mass of a canopy, kg: 3 sqrt(3)/2 side^2, 10 mm thick, 2000 kg/m^3.
 const CLOTH: f64 = 2.598_076_211_353_316 * SIDE * SIDE * 0.01 * 2000.0;
-/// Half a segment of the rope: 10 mm, 1850 kg/m^3, the links cut into six.
+/// Mass of half a segment of rope, kg: 10 mm thick, 1850 kg/m^3, six segments to a link.
 const HALF_SEGMENT: f64 = 0.5 * 1850.0 * 0.25 * std::f64::consts::PI * 1e-4 * LINK / 6.0;
-/// Between two canopies: 2.5 m / 3 - sqrt(3) side.
+/// Length of a link between two canopies, m: 2.5 m / 3 - sqrt(3) side.
 const LINK: f64 = 2.5 / 3.0 - 1.732_050_807_568_877_2 * SIDE;
 
 const REST: &str = r#"
@@ -59,7 +59,7 @@ const KINDS: [&str; 5] = [
 const PAYLOAD: &str = "payload.cylinder = {}\nsensor.cylinder.mass = \"0.2 kg\"\n";
 
 #[test]
-fn however_a_canopy_is_modelled_the_web_weighs_what_its_bill_says() {
+fn the_mass_of_the_system_is_that_of_the_bill_for_every_kind_of_canopy() {
     let total = |model: &Model| model.system.mass().iter().sum::<f64>();
     let expected = total(&model(&format!("{}{PAYLOAD}", KINDS[0])));
     for kind in KINDS {
@@ -72,7 +72,7 @@ fn however_a_canopy_is_modelled_the_web_weighs_what_its_bill_says() {
 }
 
 #[test]
-fn a_rigid_canopy_is_the_plate_its_payload_and_the_ends_of_its_ropes() {
+fn a_rigid_canopy_has_the_inertia_of_its_plate_payload_and_rope_ends() {
     let model = model("canopy.rigid = {}\npayload.cylinder = { diameter = 0.06, height = 0.066, mass = 0.5 }\n");
     assert_eq!(model.system.bodies().len(), 31);
     // canopy 20 is one of the inner ones: twelve ropes, two at each corner
@@ -85,7 +85,7 @@ fn a_rigid_canopy_is_the_plate_its_payload_and_the_ends_of_its_ropes() {
     assert_near(bound.inertia.x, across + 0.5 * corners);
     assert_near(bound.inertia.y, across + 0.5 * corners);
     assert_near(bound.inertia.z, polar + corners);
-    // its centre lies on its hub, where results look for it; every node that it carries is massless
+    // its centre lies on its hub, where results expect it; the nodes that it carries are massless
     let hub = model.cut.web.canopies[19].hub;
     assert!(model.state.position[bound.centre].distance(model.state.position[hub]) < 1e-15);
     assert!(bound.ties.len() == 7 && bound.ties.iter().all(|tie| model.system.mass()[tie.node] == 0.0));
@@ -104,8 +104,10 @@ fn a_sheet_of_two_triangles_a_side_shares_its_mass_by_triangles() {
     let sheet = &model.sheets[30];
     let share = CLOTH / 24.0 / 3.0;
     let mass = |node: usize| model.system.mass()[sheet.nodes[node]];
-    // the middle and the six about it meet six triangles; sides meet three; corners two, and two ropes
-    (0..7).for_each(|node| assert_near(mass(node), 6.0 * share));
+    // the middle and the six nodes about it meet six triangles, a node of a side three, a corner two and two ropes
+    for node in 0..7 {
+        assert_near(mass(node), 6.0 * share);
+    }
     for corner in 0..6 {
         assert_near(mass(7 + 2 * corner), 2.0 * share + 2.0 * HALF_SEGMENT);
         assert_near(mass(8 + 2 * corner), 3.0 * share);
@@ -114,7 +116,7 @@ fn a_sheet_of_two_triangles_a_side_shares_its_mass_by_triangles() {
 }
 
 #[test]
-fn patches_are_bodies_and_nothing_inside_them_strains() {
+fn patches_are_rigid_bodies_without_elements_inside() {
     let model = model("canopy.membrane = { fineness = 5, tie_radius = \"28 mm\" }\npayload.cylinder = {}\n");
     // six ties on each of 31 canopies, and 18 payloads on the seven nodes under them
     assert_eq!(model.system.bodies().len(), 31 * 6 + 18);
@@ -122,11 +124,11 @@ fn patches_are_bodies_and_nothing_inside_them_strains() {
     assert_eq!((count(4), count(7)), (31 * 6, 18));
     // two triangles in a tie, six under a payload
     assert_eq!(model.system.membranes().len(), 31 * 6 * 25 - 31 * 6 * 2 - 18 * 6);
-    // between those, one hinge in a tie and six under a payload
+    // the hinges between those: one in a tie, six under a payload
     assert_eq!(model.system.parts().hinges.len(), 31 * 15 * 14 - 31 * 6 - 18 * 6);
 }
 
-/// That nothing is stretched, and that bodies are turned so that their ties are where the packing has put them.
+/// Asserts that nothing is stretched and that each body is oriented so that its ties lie at their packed nodes.
 #[track_caller]
 fn assert_well_packed(model: &Model, of: &str) {
     assert!(model.audit.is_slack(), "{of}");
@@ -140,7 +142,7 @@ fn assert_well_packed(model: &Model, of: &str) {
 }
 
 #[test]
-fn every_canopy_goes_into_every_fold_and_container_and_stiff_ones_keep_their_shape() {
+fn every_kind_of_canopy_can_be_folded_and_stiff_ones_keep_their_shape() {
     let folds = ["zigzag]", "zigzag]\nalong = \"lines\"", "star]", "roll]", "layers]"];
     let rooms = ["cylinder = { radius = 0.6, height = 1 }", "box = { width = 1, breadth = 1.1, height = 0.9 }"];
     let disturbed = "[stow.imperfection]\nscatter = \"5 mm\"\ntwist = \"10 deg\"\nseed = 3\n";
@@ -161,7 +163,7 @@ fn every_canopy_goes_into_every_fold_and_container_and_stiff_ones_keep_their_sha
                     let z = canopy.rim.map(|knot| model.state.position[knot].z);
                     z.into_iter().fold(f64::MIN, f64::max) - z.into_iter().fold(f64::MAX, f64::min) < 1e-3
                 };
-                // upright layers have upright canopies, but for the middle of rings and star
+                // in upright layers canopies stand upright, except in the middle of rings and star
                 let upright = model.cut.web.canopies.iter().filter(|canopy| !lies_flat(canopy)).count();
                 assert!(index == 4 || upright >= 25, "{upright} in {stow}");
             }
@@ -170,13 +172,13 @@ fn every_canopy_goes_into_every_fold_and_container_and_stiff_ones_keep_their_sha
 }
 
 #[test]
-fn every_canopy_is_led_into_a_container_and_stiff_ones_keep_their_shape() {
+fn every_kind_of_canopy_can_be_led_into_a_container_and_stiff_ones_keep_their_shape() {
     for kind in KINDS {
         for imperfection in ["", "[stow.imperfection]\nscatter = \"5 mm\"\ntwist = \"10 deg\"\nseed = 3\n"] {
             let stow = format!("{kind}{PAYLOAD}[stow.prescribed]\nradius = 0.5\ndepth = 0.5\n{imperfection}");
             let model = model(&stow);
             assert_well_packed(&model, &stow);
-            // what is stiff at the ring sticks out of it
+            // a stiff canopy at the ring protrudes from it
             assert!(model.audit.packed_radius < 0.5 + SIDE + 0.02, "{stow}: {}", model.audit.packed_radius);
             let keeps_its_shape = !kind.contains("links");
             for canopy in model.cut.web.canopies.iter().filter(|_| keeps_its_shape) {
@@ -188,7 +190,7 @@ fn every_canopy_is_led_into_a_container_and_stiff_ones_keep_their_shape() {
 }
 
 #[test]
-fn stiff_canopies_are_packed_flat_and_cloth_with_its_ropes_and_nothing_is_stretched() {
+fn a_bag_keeps_stiff_canopies_flat_shrinks_cloth_and_stretches_nothing() {
     for kind in KINDS {
         let bag = "stow.bag = { radius = \"0.24 m\", depth = \"0.38 m\" }\n";
         let disturbed = format!("{bag}stow.imperfection = {{ scatter = \"5 mm\", twist = \"10 deg\" }}\n");
@@ -205,14 +207,14 @@ fn stiff_canopies_are_packed_flat_and_cloth_with_its_ropes_and_nothing_is_stretc
 }
 
 #[test]
-fn a_bag_too_deep_for_plates_is_refused_with_what_it_stretches() {
+fn a_bag_too_deep_for_plates_is_refused() {
     let deep = "stow.bag = { radius = \"0.2 m\", depth = \"2.4 m\" }\n";
     assert!(model(&format!("canopy.links = {{}}\n{deep}")).audit.is_slack());
     let found = wrong(&format!("canopy.rigid = {{}}\n{deep}"));
     assert!(found[0].contains("stow.bag: the stowed web is stretched"), "{found:?}");
 }
 
-/// Drawn in to a cone that keeps the lengths along its sides, the middle triangles become slender and higher.
+/// The bag is a cone that keeps lengths along its sides: the middle triangles become slender and longer.
 #[test]
 fn a_bag_that_stretches_cloth_is_refused() {
     let found = wrong(
@@ -222,10 +224,10 @@ fn a_bag_that_stretches_cloth_is_refused() {
 }
 
 #[test]
-fn a_plate_is_read_from_a_file_with_its_attitude() {
+fn a_stow_file_gives_a_plate_its_orientation() {
     let folder = tempfile::tempdir().unwrap();
     let flat = model(KINDS[1]);
-    // the whole web stood up on its edge
+    // the whole web stands on its edge
     let up = |x: DVec3| DVec3::new(x.x, -x.z, x.y);
     let write = |bend: f64| {
         let mut text = "id,x,y,z\n".to_owned();
@@ -252,7 +254,7 @@ fn a_plate_is_read_from_a_file_with_its_attitude() {
 }
 
 #[test]
-fn what_cannot_be_is_told_with_its_place() {
+fn mistakes_are_reported_at_their_place() {
     for (with, expected) in [
         ("canopy.membrane.fineness = 101\n", "net.toml:1:28: canopy.membrane.fineness: "),
         ("canopy.membrane.poisson_ratio = 1\n", "net.toml:1:33: canopy.membrane.poisson_ratio: "),
@@ -264,7 +266,10 @@ fn what_cannot_be_is_told_with_its_place() {
             "canopy.membrane = { damping_time = 0, damping_ratio = 0 }\n",
             "canopy.membrane.damping_ratio: expected only one of",
         ),
-        ("canopy.membrane.tie_radius = \"7 cm\"\n", "net.toml:1:30: canopy.membrane.tie_radius: what is bound within"),
+        (
+            "canopy.membrane.tie_radius = \"7 cm\"\n",
+            "net.toml:1:30: canopy.membrane.tie_radius: the nodes bound within",
+        ),
         ("canopy.membrane.bending = \"beam\"\n", "canopy.membrane.bending"),
         ("canopy.rigid.elastic_modulus = 1\n", "canopy.rigid.elastic_modulus: unknown key"),
         (
@@ -278,7 +283,7 @@ fn what_cannot_be_is_told_with_its_place() {
 }
 
 #[test]
-fn a_cloth_of_the_library_is_a_membrane_too() {
+fn a_membrane_can_be_a_cloth_of_the_library() {
     let model = model("canopy.membrane = { material = \"aramid cloth\", thickness = \"0.1 mm\", wrinkles = true }\n");
     assert!(model.bill.canopy_mass < 31.0 * CLOTH / 100.0);
 }

@@ -1,4 +1,4 @@
-//! Whatever stage finds it: what is wrong with a web is told at once.
+//! All mistakes in a scenario are reported at once, whichever stages find them.
 
 mod common;
 
@@ -13,7 +13,7 @@ tractor.particle.mass = 1
 solve = { duration = "0.1 s", segment_length = "0.25 m" }
 "#;
 
-/// The paths of all that is wrong.
+/// The paths of all mistakes.
 fn places(more: &str) -> Vec<String> {
     let document = parse(&format!("{NET}{more}"), &[]).unwrap_or_else(|wrong| panic!("{wrong}"));
     let Err(Diagnostics(found)) = Model::new(&document) else { panic!("nothing is wrong") };
@@ -21,7 +21,7 @@ fn places(more: &str) -> Vec<String> {
 }
 
 #[test]
-fn faults_of_all_stages_are_told_together() {
+fn mistakes_of_all_stages_are_reported_together() {
     let found = places(
         r#"hold.nodes = ["knot 99"]
 load.wind = { force = [1, 0, 0], nodes = ["knot 98"] }
@@ -37,7 +37,7 @@ stow.scale.factor = 0.5
 }
 
 #[test]
-fn a_wrong_wind_and_a_wrong_solidity_are_told_with_what_lies_below_the_ground() {
+fn a_wrong_wind_and_a_net_below_the_ground_are_reported_together() {
     let found = places(
         r#"environment.air.solidity = "web"
 environment.wind = { speed = 5, logarithmic = { roughness = "20 m" } }
@@ -48,9 +48,9 @@ environment.ground.height = "1 m"
     assert!(found.contains(&"environment.ground.height".to_owned()), "{found:?}");
 }
 
-/// What a stage cannot do without is not told again by that stage.
+/// A stage does not report again the mistake of a stage that it needs.
 #[test]
-fn a_fault_brings_no_others_with_it() {
+fn one_mistake_is_reported_once() {
     let more = "points.here = \"knot 99\"\nload.wind = { force = [1, 0, 0], points = [\"here\"] }\n";
     assert_eq!(places(more), ["points.here"]);
 }

@@ -1,4 +1,4 @@
-//! The ground and the orbit of a scenario: what they come to in the model, and what can be wrong with them.
+//! Ground and orbit of a scenario: the parts that the model makes of them, and the mistakes that it reports.
 
 use glam::DVec3;
 use netcast_model::Model;
@@ -21,20 +21,20 @@ fn wrong(more: &str) -> String {
 }
 
 #[test]
-fn left_out_its_height_is_that_of_the_lowest_point_and_is_written_out() {
+fn the_default_height_of_the_ground_is_the_lowest_point_and_is_written_out() {
     // balls of 0.1 m on the corners of a net drawn level at the muzzle
     let ball = "tractor.sphere = { diameter = \"0.1 m\", mass = \"1 kg\" }";
     let net = model(&format!("{ball}\nenvironment.ground = {{}}")).unwrap();
     let ground = net.system.environment().ground.as_ref().unwrap();
     assert_eq!((ground.height, ground.friction, ground.nodes.len()), (-0.05, 0.5, net.cut.nodes.len()));
     assert!(resolved_toml(&net.scenario).contains("height = \"-0.05 m\""));
-    // pi m / t and so on: what is dropped bounces within the contact time
+    // a mass rebounds within the contact time: t = pi sqrt(m / k)
     let spring = ground.nodes[0].spring;
     assert!((std::f64::consts::PI * (spring.mass / spring.stiffness).sqrt() / 1e-3 - 1.0).abs() < 1e-12);
 }
 
 #[test]
-fn a_rigid_tractor_touches_with_its_edges_and_its_ropes_with_their_knots() {
+fn a_rigid_tractor_touches_the_ground_with_its_rims_and_its_ropes_with_their_knots() {
     let cylinder = "tractor.cylinder = { diameter = \"0.1 m\", height = \"0.2 m\", mass = \"1 kg\" }";
     let tied = "traction_rope = { length = \"0.5 m\", tied_at = \"rear\" }";
     let net = model(&format!("{cylinder}\n{tied}\nenvironment.ground.height = -1")).unwrap();
@@ -44,7 +44,7 @@ fn a_rigid_tractor_touches_with_its_edges_and_its_ropes_with_their_knots() {
 }
 
 #[test]
-fn a_rigid_ball_touches_with_its_surface() {
+fn a_rigid_ball_touches_the_ground_with_its_surface() {
     let ball = "tractor.sphere = { diameter = \"0.1 m\", mass = \"1 kg\" }";
     let tied = "traction_rope = { length = \"0.5 m\", tied_at = \"front\" }";
     let net = model(&format!("{ball}\n{tied}\nenvironment.ground = {{}}")).unwrap();
@@ -56,7 +56,7 @@ fn a_rigid_ball_touches_with_its_surface() {
 }
 
 #[test]
-fn a_rigid_canopy_touches_with_its_corners_and_its_middle() {
+fn a_rigid_canopy_touches_the_ground_with_its_corners_and_its_middle() {
     let text = "web.space.side = \"1 m\"\ncanopy.rigid.side = \"0.14 m\"\nsolve.duration = \"0.1 s\"\n\
                 rope = { diameter = \"3 mm\", density = 1440, elastic_modulus = \"7 GPa\" }\n\
                 launch.elevation = \"30 deg\"\nenvironment.ground = {}";
@@ -81,7 +81,7 @@ fn a_rigid_canopy_touches_with_its_corners_and_its_middle() {
 }
 
 #[test]
-fn what_is_held_stands_on_it_and_is_not_pushed() {
+fn held_nodes_count_for_the_height_of_the_ground_and_are_not_pushed() {
     let ball = "tractor.sphere = { diameter = \"0.1 m\", mass = \"1 kg\" }";
     for held in ["hold.corners = true", "drive.them = { corners = true, path = [{ time = 1, by = [0, 0, 1] }] }"] {
         let net = model(&format!("{ball}\n{held}\nenvironment.ground = {{}}")).unwrap();
@@ -91,7 +91,7 @@ fn what_is_held_stands_on_it_and_is_not_pushed() {
 }
 
 #[test]
-fn what_starts_below_it_is_told() {
+fn a_start_below_the_ground_is_reported() {
     let found = wrong("environment.ground.height = \"0.3 m\"");
     assert!(found.contains("environment.ground.height: ") && found.contains("starts 0.300 m below"), "{found}");
 }
@@ -104,7 +104,7 @@ fn on_the_ground_a_net_has_an_equilibrium_with_nothing_held() {
 }
 
 #[test]
-fn a_step_that_the_ground_or_the_medium_sets_is_said_to_be_set_by_it() {
+fn a_step_limited_by_the_ground_or_by_drag_names_it() {
     let short = model("environment.ground = { height = -1, contact_time = \"1 us\" }").unwrap();
     assert!(short.limited_by().unwrap().starts_with("the ground at"), "{:?}", short.limited_by());
     assert!(short.step_lift().unwrap().contains("contact_time"));
@@ -125,7 +125,7 @@ fn a_profile_of_the_wind_begins_at_the_ground() {
 }
 
 #[test]
-fn an_orbit_has_its_mean_motion_and_nothing_beside_it() {
+fn an_orbit_has_its_mean_motion_and_excludes_gravity_air_and_ground() {
     let net = model("environment.orbit.altitude = \"600 km\"").unwrap();
     let environment = net.system.environment();
     // 96.5 minutes
@@ -137,7 +137,7 @@ fn an_orbit_has_its_mean_motion_and_nothing_beside_it() {
     for what in ["environment.air", "environment.ground", "environment.gravity"] {
         assert!(found.contains(what), "{what} in {found}");
     }
-    assert!(wrong("environment.orbit.altitude = 6e5\nsolve.static = {}").contains("solve.static: beside an orbit"));
+    assert!(wrong("environment.orbit.altitude = 6e5\nsolve.static = {}").contains("solve.static: in an orbit"));
     let found = wrong("environment.orbit = {}");
     assert!(found.contains("altitude"), "{found}");
 }

@@ -1,4 +1,4 @@
-//! From `[launch]`, `[traction_rope]`, `[[tractors]]`, `[[covers]]` to what is simulated.
+//! `[launch]`, `[traction_rope]`, `[[tractors]]` and `[[covers]]`: the bodies, launchers and velocities of the model.
 
 mod common;
 
@@ -8,7 +8,7 @@ use netcast_dynamics::launcher::{Means, Push, Tube};
 use netcast_model::Model;
 use netcast_scenario::{Diagnostics, resolved_toml};
 
-/// A small net with four tractors of a kilogram on ropes of 0.5 m, 40 mm long and wide, in a bag.
+/// A small net in a bag. Its four tractors have 1 kg, are 40 mm long and wide, and hang on ropes of 0.5 m.
 const NET: &str = r#"
 [web.square]
 side = "2 m"
@@ -47,7 +47,7 @@ fn wrong(added: &str, overrides: &[&str]) -> Vec<String> {
 const THROWN: &str = "[launch]\naxial_speed = \"30 m/s\"\nradial_speed = \"10 m/s\"\n";
 
 #[test]
-fn a_rope_tied_at_the_centre_leaves_the_tractor_a_particle() {
+fn a_tractor_tied_at_its_centre_stays_a_point_mass() {
     let plain = modelled(THROWN, &[]);
     let said = modelled(THROWN, &["traction_rope.tied_at=\"centre\""]);
     let zero = modelled(THROWN, &["traction_rope.tie_point=[0, 0, 0]"]);
@@ -57,7 +57,7 @@ fn a_rope_tied_at_the_centre_leaves_the_tractor_a_particle() {
 }
 
 #[test]
-fn a_rope_tied_at_the_rear_makes_a_body_ahead_of_its_knot() {
+fn a_tractor_tied_at_its_rear_is_a_rigid_body_ahead_of_its_knot() {
     let plain = modelled(THROWN, &[]);
     let tied = modelled(THROWN, &["traction_rope.tied_at=\"rear\""]);
     assert_eq!(tied.system.bodies().len(), 4);
@@ -82,7 +82,7 @@ fn a_rope_tied_at_the_rear_makes_a_body_ahead_of_its_knot() {
 }
 
 #[test]
-fn a_tie_point_is_given_in_axes_that_every_tractor_has_alike() {
+fn the_axes_of_a_tie_point_are_the_flight_and_the_outward_direction() {
     let off = ["traction_rope.tie_point=[\"20 mm\", 0, \"-20 mm\"]", "launch.attitude=\"axis\""];
     let model = modelled(THROWN, &off);
     for (body, rotation) in model.system.bodies().iter().zip(&model.state.rotation) {
@@ -93,7 +93,7 @@ fn a_tie_point_is_given_in_axes_that_every_tractor_has_alike() {
 }
 
 #[test]
-fn one_tractor_may_differ_in_shape_tie_and_time() {
+fn one_tractor_may_differ_in_shape_tie_point_and_delay() {
     let own = r#"
         [[tractors]]
         corner = 2
@@ -118,7 +118,7 @@ fn one_tractor_may_differ_in_shape_tie_and_time() {
 }
 
 #[test]
-fn what_spins_turns_as_one_about_the_axis() {
+fn spin_is_a_rigid_rotation_about_the_launch_axis() {
     let overrides = ["launch.spin=600 rpm", "traction_rope.tied_at=\"rear\"", "launch.elevation=40 deg"];
     let (still, model) = (modelled(THROWN, &overrides[1..]), modelled(THROWN, &overrides));
     let turning = 20.0 * std::f64::consts::PI * model.axis();
@@ -135,7 +135,7 @@ const TUBE: &str = "[launch.tube]\nstroke = \"0.2 m\"\ncant = \"30 deg\"\n\
                     force_over_stroke = { at = [0, \"0.2 m\"], force = [\"2 kN\", 0] }\n";
 
 #[test]
-fn a_tube_starts_where_its_tractor_is_stowed_and_leans_outwards() {
+fn a_tube_begins_at_its_stowed_tractor_and_is_canted_outwards() {
     let model = modelled(TUBE, &[]);
     for (launcher, throw) in model.system.launchers().iter().zip(model.throws.iter().flatten()) {
         let Means::Tube(Tube { breech, direction, stroke, push }) = &launcher.by else { panic!() };
@@ -151,7 +151,7 @@ fn a_tube_starts_where_its_tractor_is_stowed_and_leans_outwards() {
 const SCATTER: &str = "[launch.scatter]\nspeed = \"5 %\"\nangle = \"2 deg\"\ndelay = \"1 ms\"\nseed = 11\n";
 
 #[test]
-fn scatter_is_the_same_again_from_the_resolved_scenario_and_another_for_another_seed() {
+fn the_resolved_scenario_repeats_the_scatter_and_another_seed_changes_it() {
     let added = format!("{THROWN}{SCATTER}");
     let first = modelled(&added, &[]);
     let again = Model::new(&parse(&resolved_toml(&first.scenario), &[]).unwrap()).unwrap();
@@ -161,7 +161,7 @@ fn scatter_is_the_same_again_from_the_resolved_scenario_and_another_for_another_
     let delays: Vec<f64> = first.throws.iter().flatten().map(|throw| throw.delay).collect();
     assert_eq!(delays.iter().copied().fold(f64::INFINITY, f64::min), 0.0);
     assert!(delays.iter().all(|delay| *delay < 8e-3), "{delays:?}");
-    // tubes, delays and scatter go together; a force four times as large for twice the speed
+    // tubes, delays and scatter combine; four times the force gives twice the speed
     let tubes = modelled(&format!("{TUBE}{SCATTER}"), &[]);
     let resolved = parse(&resolved_toml(&tubes.scenario), &[]).unwrap();
     assert_eq!(tubes.throws, Model::new(&resolved).unwrap().throws);
@@ -172,13 +172,13 @@ fn scatter_is_the_same_again_from_the_resolved_scenario_and_another_for_another_
     let works: Vec<f64> = tubes.system.launchers().iter().map(work).collect();
     let speeds: Vec<f64> =
         first.throws.iter().flatten().map(|throw| first.state.velocity[throw.node].length()).collect();
-    // the one that leaves at once has its velocity; in its tube it has the same share more
+    // the first tractor to start has its velocity; in its tube it has the same relative deviation
     let at_once = delays.iter().position(|delay| *delay == 0.0).unwrap();
     assert!(((works[at_once] / 200.0).sqrt() / (speeds[at_once] / 1000f64.sqrt()) - 1.0).abs() < 1e-12);
 }
 
 #[test]
-fn a_cover_holds_the_web_and_not_its_tractors() {
+fn a_cover_holds_the_web_but_not_its_tractors() {
     let model = modelled(&format!("{THROWN}[[covers]]\nopens = \"3 ms\"\n"), &[]);
     let held: Vec<usize> = model.system.launchers().iter().map(|launcher| launcher.node).collect();
     assert!(held.len() > 100 && model.tractors.iter().all(|tractor| !held.contains(tractor)));
@@ -190,16 +190,16 @@ fn a_cover_holds_the_web_and_not_its_tractors() {
 }
 
 #[test]
-fn what_does_not_go_together_is_said_where_it_stands() {
+fn contradictions_are_reported_at_their_place() {
     for (added, overrides, expected) in [
         (
             THROWN,
             &["launch.tube={stroke=1, force_over_time={at=[0], force=[1]}}"][..],
             "launch.axial_speed: the speed of a",
         ),
-        (TUBE, &["launch.spin=3 rad/s"], "launch.tube: what spins at the start"),
-        (THROWN, &["launch.spin=3 rad/s", "covers=[{opens=1}]"], "covers: what spins"),
-        (THROWN, &["launch.spin=3 rad/s", "tractors=[{corner=1, delay=1}]"], "tractors[0].delay: what spins"),
+        (TUBE, &["launch.spin=3 rad/s"], "launch.tube: a spinning web is launched at once"),
+        (THROWN, &["launch.spin=3 rad/s", "covers=[{opens=1}]"], "covers: a spinning web"),
+        (THROWN, &["launch.spin=3 rad/s", "tractors=[{corner=1, delay=1}]"], "tractors[0].delay: a spinning web"),
         (THROWN, &["launch.spin=3 1/s"], "launch.spin: expected an angular speed"),
         (
             THROWN,
@@ -224,11 +224,15 @@ fn what_does_not_go_together_is_said_where_it_stands() {
             "expected only one of `sphere` and",
         ),
         ("[launch.tube]\nstroke = 1\n", &[], "launch.tube.force_over_stroke: missing key `force_over_stroke`"),
-        (TUBE, &["launch.tube.force_over_stroke={at=[0, 1], force=[1]}"], "given at 2 points, and 1 values"),
+        (
+            TUBE,
+            &["launch.tube.force_over_stroke={at=[0, 1], force=[1]}"],
+            "expected one force a point, found 2 points and 1 forces",
+        ),
         (
             TUBE,
             &["launch.tube.force_over_stroke={at=[1, 0], force=[1, 1]}"],
-            "force_over_stroke.at: expected each more",
+            "force_over_stroke.at: expected increasing values",
         ),
         (TUBE, &["launch.tube.force_over_stroke={at=[0], force=[-1]}"], "expected a force of at least 0"),
         (TUBE, &["launch.tube.force_over_stroke={file=\"none.csv\"}"], "cannot read none.csv"),

@@ -1,4 +1,4 @@
-//! Loads, drives and the equilibrium: what they come to in the model, and what can be wrong with them.
+//! Loads, drives and the equilibrium: the parts that the model makes of them, and the mistakes that it reports.
 
 use glam::DVec3;
 use netcast_model::Model;
@@ -10,7 +10,7 @@ rope = { diameter = "3 mm", density = 1140, elastic_modulus = "1 GPa" }
 hold.corners = true
 "#;
 
-/// The model of the net with more, and `path.csv` beside it.
+/// The model of the net with `more`, and with `csv` as the file `path.csv` beside it.
 fn model(more: &str, csv: &str) -> Result<Model, Diagnostics> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("path.csv"), csv).unwrap();
@@ -18,7 +18,7 @@ fn model(more: &str, csv: &str) -> Result<Model, Diagnostics> {
     Model::new(&Document::parse(source, folder.path(), &[])?)
 }
 
-/// What is wrong, as lines without the file's name.
+/// The mistakes, as lines without the name of the file.
 fn wrong(more: &str, csv: &str) -> Vec<String> {
     let Err(Diagnostics(found)) = model(more, csv) else { panic!("nothing is wrong") };
     let help = |help: &Option<String>| help.as_ref().map_or(String::new(), |help| format!(" ({help})"));
@@ -26,7 +26,7 @@ fn wrong(more: &str, csv: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_force_per_length_comes_to_the_length_of_the_ropes() {
+fn a_force_per_length_sums_to_force_times_length_of_rope() {
     let model =
         model("solve.duration = 1\nload.snow = { force_per_length = [0, 0, \"-3 N/m\"], class = \"inner\" }", "");
     let model = model.unwrap();
@@ -45,7 +45,7 @@ fn a_node_that_is_named_twice_is_loaded_once() {
 }
 
 #[test]
-fn a_path_starts_where_the_node_lies_in_the_world() {
+fn a_path_starts_at_the_place_of_the_node_in_the_world_frame() {
     let drive =
         "drive.a = { file = \"path.csv\", points = [\"B\"] }\nstow.scale.factor = 0.5\nlaunch.elevation = \"0 deg\"";
     let model = model(&format!("solve.duration = 1\n{drive}"), "t,x,y,z\n0,0,0,0\n0.5,0,0,1\n").unwrap();
@@ -56,7 +56,7 @@ fn a_path_starts_where_the_node_lies_in_the_world() {
 }
 
 #[test]
-fn what_drives_a_tractor_that_is_a_body_drives_its_centre() {
+fn the_drive_of_a_rigid_tractor_moves_its_centre() {
     let tractors = "solve.duration = 1\ntractor.cylinder = { diameter = \"40 mm\", height = \"60 mm\", mass = \"1 kg\" }\n\
                     traction_rope = { length = \"0.5 m\", tied_at = \"rear\" }\n\
                     drive.a = { path = [{ time = 1, by = [0, 0, 1] }], tractors = true }\n";
@@ -68,12 +68,12 @@ fn what_drives_a_tractor_that_is_a_body_drives_its_centre() {
         assert_eq!((drive.node, drive.at(1.0)), (body.centre, start + DVec3::Z));
         assert!(model.system.held()[body.centre] && !model.system.held()[body.ties[0].node]);
     }
-    // what is driven weighs something all the same
+    // the model counts the mass of driven bodies, the system does not
     assert!(model.mass > 4.0 && model.system.mass().iter().sum::<f64>() < 1.0);
 }
 
 #[test]
-fn what_does_not_fit_is_told_with_its_place() {
+fn mistakes_are_reported_at_their_place() {
     let told = |more: &str, csv: &str, expected: &[&str]| assert_eq!(wrong(more, csv), expected, "{more}");
     let run = "solve.duration = 1\n";
     told(

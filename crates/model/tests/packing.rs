@@ -1,4 +1,4 @@
-//! Webs folded into containers, as a scenario says it: every pattern, what is wrong with one, imperfection.
+//! Webs folded or led into containers: every pattern, imperfections, and the mistakes that are reported.
 
 mod common;
 
@@ -68,7 +68,7 @@ fn layers_lie_a_rope_apart_and_traction_ropes_do_not_count() {
 }
 
 #[test]
-fn what_cannot_be_packed_so_is_told_at_its_place() {
+fn an_impossible_packing_is_reported_at_its_place() {
     let tube = |radius: &str, rest: &str| {
         format!("[stow.roll]\ncontainer.cylinder = {{ radius = \"{radius}\", height = \"0.2 m\" }}\n{rest}")
     };
@@ -92,7 +92,7 @@ fn what_cannot_be_packed_so_is_told_at_its_place() {
 }
 
 #[test]
-fn a_seed_is_one_packing_and_another_seed_another() {
+fn a_seed_repeats_its_packing_and_another_seed_changes_it() {
     let at = |seed: u32| {
         let stow = format!("[stow.bag]\nradius = \"0.2 m\"\n[stow.imperfection]\nscatter = \"5 mm\"\nseed = {seed}");
         model(&stow).unwrap().state.position
@@ -102,7 +102,7 @@ fn a_seed_is_one_packing_and_another_seed_another() {
 }
 
 #[test]
-fn a_late_sector_stays_where_it_is_stowed_and_its_tractors_do_not() {
+fn a_late_sector_is_held_as_stowed_but_its_tractors_are_not() {
     let late = |rest: &str| {
         model(&format!(
             "[stow.bag]\nradius = \"0.2 m\"\n[launch]\naxial_speed = \"20 m/s\"\n[stow.imperfection]\n\
@@ -122,7 +122,7 @@ fn a_late_sector_stays_where_it_is_stowed_and_its_tractors_do_not() {
     assert!(launchers.iter().all(|launcher| launcher.at == 4e-3));
     assert!(about_x.notes.iter().any(|note| note.contains("a sector 90 deg wide about 0 deg")), "{:?}", about_x.notes);
     assert!(about_x.tractors.iter().all(|&tractor| about_x.state.velocity[tractor].length() > 19.0));
-    // which one is left to chance: the seed's
+    // without a direction the seed chooses the sector
     let held = |seed: u32| {
         let text = format!(
             "[stow.bag]\nradius = \"0.2 m\"\n[stow.imperfection]\nseed = {seed}\nlate_sector = {{ width = 1, until = 1 }}"
@@ -134,14 +134,14 @@ fn a_late_sector_stays_where_it_is_stowed_and_its_tractors_do_not() {
 }
 
 #[test]
-fn a_late_sector_that_cannot_be_is_told() {
+fn an_impossible_late_sector_is_reported() {
     let late = |rest: &str| told(&format!("[stow.bag]\nradius = 0.2\n[stow.imperfection]\nlate_sector = {rest}\n"));
     let found = late("{ width = \"400 deg\", until = 1 }");
     assert!(found.contains("late_sector.width: expected an angle greater than 0 deg and at most 360 deg"), "{found}");
     let found = late("{ width = 1 }");
     assert!(found.contains("late_sector.until: missing key `until`"), "{found}");
     let found = late("{ width = 1, until = 1 }\n[launch]\nspin = \"3 rad/s\"");
-    assert!(found.contains("stow.imperfection.late_sector: what spins at the start is launched at once"), "{found}");
+    assert!(found.contains("stow.imperfection.late_sector: a spinning web is launched at once"), "{found}");
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn a_web_is_led_into_its_container_and_rests_there() {
     assert!(led.notes.iter().any(|note| note.starts_with("the web came to rest in its container")), "{:?}", led.notes);
 }
 
-/// The net without its traction ropes, led by hand.
+/// The net without traction ropes, led by the drives in `keys`.
 fn led_by_hand(keys: &str) -> Result<Model, String> {
     let text = format!("{NET}[stow.prescribed]\n{keys}");
     let document = parse(&text, &["traction_rope.length=0"]).map_err(|wrong| wrong.to_string())?;
@@ -161,7 +161,7 @@ fn led_by_hand(keys: &str) -> Result<Model, String> {
 }
 
 #[test]
-fn what_is_led_by_hand_is_where_it_is_led_to() {
+fn led_nodes_end_at_the_ends_of_their_paths() {
     let led = led_by_hand(
         "radius = \"0.9 m\"\n\
          drive.left = { nodes = [\"web corner 3\"], path = [{ time = \"1 s\", by = [\"0.7 m\", \"0.7 m\", 0] }] }\n\
@@ -169,26 +169,26 @@ fn what_is_led_by_hand_is_where_it_is_led_to() {
     )
     .unwrap();
     let knot = |number: usize| led.state.position[number - 1];
-    // the outer corners come 0.3 m near to the middle along x and y, the others fall
+    // the led corners come 0.3 m near to the middle along x and y; the other corners fall
     assert!((knot(1) - knot(25)).distance(DVec3::new(-0.6, -0.6, 0.0)) < 1e-9, "{} {}", knot(1), knot(25));
     assert!(knot(5).z < knot(1).z - 0.5 && knot(21).z < knot(1).z - 0.5);
 }
 
-/// D lies in the middle of a rope, which hangs in longer pieces than its segments.
+/// D lies in the middle of a rope. The packing cuts that rope into longer pieces than the web's segments.
 #[test]
-fn a_point_inside_a_rope_is_led_as_any_other() {
+fn a_point_inside_a_rope_can_be_led() {
     let text = "web.space.side = \"2.5 m\"\nrope = { diameter = \"3 mm\", density = 970, elastic_modulus = \"5 GPa\" }\n\
                 solve = { duration = 1, segment_length = \"10 mm\" }\n[stow.prescribed]\nradius = \"2.4 m\"\ngravity = 0\n\
                 drive.up = { points = [\"D\"], path = [{ time = \"0.5 s\", by = [\"0.1 m\", 0, \"0.3 m\"] }] }\n";
     let led = Model::new(&parse(text, &[]).unwrap()).unwrap_or_else(|wrong| panic!("{wrong}"));
     let (_, point) = led.points().into_iter().find(|(name, _)| name == "D").unwrap();
     let flat = led.cut.nodes[point] - led.cut.web.middle;
-    // the top of the packed web lies at the muzzle: all the rest follows from below
+    // the top of the packed web lies at the muzzle
     assert!(led.state.position[point].distance(DVec3::new(flat.x + 0.1, flat.y, 0.0)) < 1e-12);
 }
 
 #[test]
-fn what_cannot_be_led_is_told() {
+fn impossible_paths_are_reported() {
     let found = |keys: &str| told(&format!("[stow.prescribed]\n{keys}\n"));
     let drive = |keys: &str| found(&format!("radius = \"0.9 m\"\ndrive.it = {{ {keys} }}"));
     let by = "path = [{ time = 1, by = [\"-0.1 m\", \"-0.1 m\", 0] }]";

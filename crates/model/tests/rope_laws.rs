@@ -1,4 +1,4 @@
-//! `[rope.law.LAW]` and `[rope.breaking]`: what the system gets of them, and what is refused.
+//! `[rope.law.LAW]` and `[rope.breaking]`: the laws of the system, and the mistakes that are reported.
 
 use netcast_dynamics::forces::bilinear::Bilinear;
 use netcast_dynamics::forces::breaking::Breaking;
@@ -26,7 +26,7 @@ fn made(more: &str) -> Model {
     model(more, BELT).unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
-/// What is wrong, as `file:line: path: message (help)`.
+/// The mistakes, as `file:line: path: message (help)`.
 fn wrong(more: &str, belt: &str) -> Vec<String> {
     let Err(Diagnostics(found)) = model(more, belt) else { panic!("nothing is wrong") };
     let told = found.iter().map(|one| {
@@ -39,7 +39,7 @@ fn wrong(more: &str, belt: &str) -> Vec<String> {
 }
 
 #[test]
-fn each_law_is_what_the_table_is_called() {
+fn each_table_gives_the_law_of_its_name() {
     let laws = |more: &str| made(more).system.laws().to_vec();
     let linear = vec![Law::Linear; 2];
     assert_eq!([laws(""), laws("law.linear = {}\n")], [linear.clone(), linear]);
@@ -57,7 +57,7 @@ fn each_law_is_what_the_table_is_called() {
 }
 
 #[test]
-fn a_rope_has_its_own_law_and_its_class_another() {
+fn each_link_class_has_the_law_of_its_rope() {
     let more = "[ropes.belt]\ndiameter = \"2 mm\"\ndensity = 1000\nelastic_modulus = \"1 GPa\"\n\
         law.table.file = \"belt.csv\"\n[assign]\noutline = \"belt\"\n";
     let model = made(more);
@@ -66,9 +66,9 @@ fn a_rope_has_its_own_law_and_its_class_another() {
     }
 }
 
-/// Pretension shortens a rope by the strain that its law has there; the stored energy is the law's.
+/// Pretension shortens a rope by the strain of its law. The stored energy is that of the law, too.
 #[test]
-fn pretension_goes_by_the_law() {
+fn pretension_gives_the_strain_and_the_energy_of_the_law() {
     let straight = 500.0 / AXIAL;
     let bent = 0.1 + (500.0 - 0.1 * AXIAL) / (4.0 * AXIAL);
     // strain, and the energy of a metre where it is a closed form
@@ -99,7 +99,7 @@ fn pretension_goes_by_the_law() {
 }
 
 #[test]
-fn a_rope_breaks_where_the_scenario_says_so() {
+fn a_rope_breaks_at_the_load_and_strain_of_the_scenario() {
     let of_all = |more: &str| made(more).system.segments().iter().map(|s| s.breaking).collect::<Vec<Breaking>>();
     let never = Breaking::NEVER;
     assert!(of_all("strength = \"1 kN\"\n").iter().all(|b| *b == never), "a strength alone states margins");
@@ -121,7 +121,7 @@ fn a_rope_breaks_where_the_scenario_says_so() {
 }
 
 #[test]
-fn what_does_not_fit_is_told_with_its_place() {
+fn mistakes_are_reported_at_their_place() {
     let told = |more: &str| wrong(more, BELT);
     assert_eq!(
         told("breaking = {}\n"),
@@ -145,7 +145,7 @@ fn what_does_not_fit_is_told_with_its_place() {
 }
 
 #[test]
-fn a_table_is_told_by_its_row() {
+fn a_wrong_table_is_reported_at_its_row() {
     let told = |belt: &str| wrong("law.table.file = \"belt.csv\"\n", belt);
     let table = "rope.law.table.file";
     for (belt, expected) in [
@@ -172,8 +172,8 @@ fn a_table_is_told_by_its_row() {
     ] {
         assert_eq!(told(belt)[0], format!("belt.csv:{}", expected.replace("{}", table)));
     }
-    // a curve that ends level never comes to more
+    // a curve that ends level never exceeds that tension
     let level =
         wrong("pretension = \"20 N\"\nlaw.table.file = \"belt.csv\"\n", "strain,tension\n0,0\n0.1,10\n0.2,10\n");
-    assert_eq!(level, ["net.toml:7: rope.pretension: by its law this rope never comes to 20 N"]);
+    assert_eq!(level, ["net.toml:7: rope.pretension: the law of this rope never reaches 20 N"]);
 }

@@ -1,12 +1,12 @@
-//! The templates become models, and a model's own scenario, written out, becomes the same model again.
+//! Templates become models, and the resolved scenario of a model gives the same model again.
 
 use netcast_model::Model;
 use netcast_scenario::init::TEMPLATES;
 use netcast_scenario::{Document, Source, resolved_toml};
 
-/// What is written out is that of the model: with what was chosen on the way, and what follows from what is given.
+/// The resolved scenario of a model includes the values that the stages chose.
 #[test]
-fn what_surrounds_and_holds_a_web_reads_back_the_same() {
+fn the_resolved_scenario_gives_the_same_model() {
     let net = "web.square = { side = \"2 m\", mesh = \"0.5 m\" }\n\
                solve = { duration = \"0.1 s\", segment_length = \"0.25 m\" }\n\
                rope = { diameter = \"3 mm\", density = 1140, elastic_modulus = \"5 GPa\" }\n\
@@ -51,7 +51,7 @@ fn what_surrounds_and_holds_a_web_reads_back_the_same() {
 }
 
 #[test]
-fn no_template_falls_long_in_what_stands_for_air() {
+fn no_template_lets_mass_damping_stand_for_air_in_a_long_fall() {
     for template in TEMPLATES {
         let folder = tempfile::tempdir().unwrap();
         for (name, text) in template.files {
@@ -63,10 +63,10 @@ fn no_template_falls_long_in_what_stands_for_air() {
     }
 }
 
-/// What a template has in comments is there to be uncommented: keys, and tables with theirs. What comes in place of
-/// something else, "or ...", stands on lines of its own.
+/// The commented keys and tables of a template can be uncommented. Alternatives to other keys ("or ...") stand on lines of
+/// their own.
 #[test]
-fn what_a_template_leaves_in_comments_can_be_taken_in() {
+fn the_commented_keys_of_a_template_can_be_uncommented() {
     let in_place_of = |line: &str, keys: &[&str]| keys.iter().any(|key| line.starts_with(key));
     for (template, from_tubes) in TEMPLATES.iter().flat_map(|template| [(template, false), (template, true)]) {
         let taken_in = template.scenario.lines().filter_map(|line| match line.strip_prefix("# ") {

@@ -1,4 +1,4 @@
-//! From `[[break_ties]]`, `[[stitches]]` to what is simulated.
+//! `[[break_ties]]` and `[[stitches]]`: the segments that the model makes of them, and the mistakes that it reports.
 
 mod common;
 
@@ -6,7 +6,7 @@ use common::parse;
 use netcast_model::Model;
 use netcast_scenario::{Diagnostics, resolved_toml};
 
-/// A small net on the ground, the tractors straight at its corners.
+/// A small flat net with its tractors at its corners.
 const NET: &str = r#"
 web.square = { side = "2 m", mesh = "0.5 m" }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa" }
@@ -28,7 +28,7 @@ fn wrong(added: &str) -> Vec<String> {
 }
 
 #[test]
-fn ties_hold_to_a_place_or_to_each_other_and_the_web_is_what_it_was() {
+fn ties_join_nodes_to_their_place_or_to_each_other_and_leave_the_web_unchanged() {
     let plain = modelled("");
     let tied = modelled(
         "[[break_ties]]\ncorners = true\nbreaking_load = \"100 N\"\n\
@@ -53,19 +53,19 @@ fn ties_hold_to_a_place_or_to_each_other_and_the_web_is_what_it_was() {
     assert_eq!(tied.segment_label(own), "break tie 1 at web corner 3");
     assert_eq!(tied.segment_label(own + 4), "break tie 5 at knot 2 to knot 3");
     assert!(!tied.is_rope(own) && tied.groups[ties[0].class].class.name() == "tie");
-    // neither weighed nor counted
+    // ties add neither mass nor links
     assert_eq!(tied.bill, plain.bill);
     assert_eq!(tied.system.mass().iter().sum::<f64>(), plain.system.mass().iter().sum::<f64>());
     assert_eq!(tied.scenario.solve.step_fraction, plain.scenario.solve.step_fraction);
     assert_eq!(tied.links(), plain.links());
-    // and it reads back
+    // the resolved scenario keeps the ties
     let resolved = resolved_toml(&tied.scenario);
     assert!(resolved.contains("[[break_ties]]") && resolved.contains("breaking_strain = 0.1"), "{resolved}");
 }
 
-/// The air drags at ropes, and knows no threads.
+/// Ties and stitches have no drag.
 #[test]
-fn a_web_that_is_tied_fills_as_much_of_its_outline_in_air() {
+fn ties_do_not_change_the_solidity() {
     let air = "environment.air.solidity = \"web\"\nstow.scale.factor = 0.5\n";
     let (plain, tied) =
         (modelled(air), modelled(&format!("{air}break_ties = [{{ corners = true, breaking_load = 50 }}]\n")));
@@ -74,7 +74,7 @@ fn a_web_that_is_tied_fills_as_much_of_its_outline_in_air() {
 }
 
 #[test]
-fn what_is_left_out_of_a_tie_follows_from_where_the_web_lies() {
+fn the_default_length_of_a_tie_is_its_span_in_the_stowed_web() {
     // shrunk to a quarter, the knots lie 0.125 m apart
     let tied = modelled(
         "stow.scale.factor = 0.25\nbreak_ties = [{ pairs = [[\"knot 2\", \"knot 3\"]], breaking_load = 20 }]\n",
@@ -84,7 +84,7 @@ fn what_is_left_out_of_a_tie_follows_from_where_the_web_lies() {
 }
 
 #[test]
-fn stitches_join_folds_and_not_neighbours_along_a_rope() {
+fn stitches_join_folds_but_not_neighbours_along_a_rope() {
     let folds = "stow.layers = { container.box = { width = \"1 m\", breadth = \"0.6 m\", height = \"0.5 m\" } }\n";
     let row = |every: u32| {
         format!(
@@ -98,7 +98,7 @@ fn stitches_join_folds_and_not_neighbours_along_a_rope() {
     for stitch in stitches {
         let [a, b] = stitch.ends.map(|end| all.state.position[end]);
         assert!(a.distance(b) <= 0.08, "{}", a.distance(b));
-        // what is next to it along the rope is 0.25 m away at most
+        // its neighbours along the rope are at most 0.25 m away
         let joined = |one: usize, other: usize| {
             plain.system.segments().iter().any(|s| s.ends == [one, other] || s.ends == [other, one])
         };
@@ -108,7 +108,8 @@ fn stitches_join_folds_and_not_neighbours_along_a_rope() {
     assert_eq!(all.groups[stitches[0].class].class.name(), "stitch");
 }
 
-/// The least ways along the ropes of a drawn web from a node to all others, m (Bellman 1958: relaxed until nothing changes).
+/// The shortest ways along the ropes of a drawn web from a node to all others, m, (nodes,), by Bellman's method (1958):
+/// relaxed until nothing changes.
 fn ways(model: &Model, from: usize) -> Vec<f64> {
     let mut ways = vec![f64::INFINITY; model.cut.nodes.len()];
     ways[from] = 0.0;
@@ -125,7 +126,7 @@ fn ways(model: &Model, from: usize) -> Vec<f64> {
 }
 
 #[test]
-fn a_stitch_spans_more_than_twice_its_reach_of_rope_and_a_row_does_not_go_back() {
+fn a_stitch_joins_the_nearest_node_of_another_fold_that_the_row_has_not_passed() {
     const REACH: f64 = 0.08;
     let fine = NET.replace("\"0.25 m\"", "\"50 mm\"");
     let folds = "stow.layers = { container.box = { width = \"1 m\", breadth = \"0.6 m\", height = \"0.5 m\" } }\n";
@@ -143,7 +144,7 @@ fn a_stitch_spans_more_than_twice_its_reach_of_rope_and_a_row_does_not_go_back()
         assert!(ways[other] > 2.0 * REACH, "{} m of rope", ways[other]);
         assert!(at(other).is_none_or(|place| place > at(node).unwrap()), "it goes back");
         let far = |other: usize| model.state.position[node].distance(model.state.position[other]);
-        // the nearest there is in another fold, of what the row has not passed
+        // the nearest node in another fold among those that the row has not passed
         let free = (0..ways.len()).filter(|&other| at(other).is_none_or(|place| place > at(node).unwrap()));
         let nearest = free.filter(|&other| ways[other] > 2.0 * REACH).map(far).fold(f64::INFINITY, f64::min);
         assert_eq!(far(other), nearest);
@@ -154,19 +155,19 @@ fn a_stitch_spans_more_than_twice_its_reach_of_rope_and_a_row_does_not_go_back()
 }
 
 #[test]
-fn what_cannot_be_tied_is_told_with_its_place() {
+fn mistakes_are_reported_at_their_place() {
     let tie = |keys: &str| wrong(&format!("break_ties = [{{ breaking_load = 20, {keys} }}]\n"));
     let row = |keys: &str| wrong(&format!("stitches = [{{ breaking_load = 20, {keys} }}]\n"));
     let cases = [
-        (tie("corners = false"), "break_ties[0]: nothing is named that it ties"),
+        (tie("corners = false"), "break_ties[0]: no node is named for this tie"),
         (tie("nodes = [\"knot 99\"]"), "break_ties[0].nodes[0]: unknown node \"knot 99\""),
         (tie("pairs = [[\"knot 2\", \"knot 99\"]]"), "break_ties[0].pairs[0][1]: unknown node \"knot 99\""),
         (tie("pairs = [[\"knot 2\", \"knot 2\"]]"), "break_ties[0].pairs[0]: a node cannot be tied to itself"),
         (tie("pairs = [[\"knot 2\"]]"), "break_ties[0].pairs[0]: expected 2 values, found 1"),
-        (tie("pairs = [[\"knot 2\", \"knot 3\"]], length = 0.4"), "break_ties[0]: what it ties lies 0.5000 m apart"),
+        (tie("pairs = [[\"knot 2\", \"knot 3\"]], length = 0.4"), "break_ties[0]: its ends lie 0.5000 m apart"),
         (row("reach = 1"), "stitches[0].class: missing key `class`"),
         (row("class = \"ring\", reach = 1"), "stitches[0].class: no rope is of the link class \"ring\""),
-        (row("class = \"outline\", reach = 0.01"), "stitches[0].reach: it has no stitch"),
+        (row("class = \"outline\", reach = 0.01"), "stitches[0].reach: no stitch is made"),
         (row("pairs = [[\"knot 2\", \"knot 99\"]]"), "stitches[0].pairs[0][1]: unknown node \"knot 99\""),
         (row("pairs = [[\"knot 2\", \"knot 3\"]], class = \"outline\""), "expected only one of `pairs` and `class`"),
         (
@@ -186,6 +187,6 @@ fn what_cannot_be_tied_is_told_with_its_place() {
     for (found, expected) in cases {
         assert!(found.iter().any(|told| told.contains(expected)), "{expected}: {found:?}");
     }
-    // both of what is wrong at once
+    // both mistakes at once
     assert_eq!(tie("nodes = [\"knot 98\"], pairs = [[\"knot 2\", \"knot 99\"]]").len(), 2);
 }

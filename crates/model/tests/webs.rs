@@ -1,4 +1,4 @@
-//! The webs that a scenario can ask for by their sizes: what becomes of their keys, and what is said of wrong ones.
+//! Webs that a scenario describes by their sizes: the drawn webs, and the mistakes that are reported.
 
 use std::path::Path;
 
@@ -33,7 +33,7 @@ fn drawn(web: &str) -> Web {
     model(web).cut.web
 }
 
-/// All that is wrong with a web, when it is read or when it is drawn.
+/// All mistakes in a web that reading or drawing it reports.
 fn wrong(web: &str) -> Vec<String> {
     let Err(Diagnostics(found)) = parse(web, &[]).and_then(|document| Model::new(&document)) else {
         panic!("{web} is right")
@@ -41,7 +41,7 @@ fn wrong(web: &str) -> Vec<String> {
     found.iter().map(ToString::to_string).collect()
 }
 
-/// That one thing is wrong, here and so.
+/// Asserts that there is one mistake, at `place`, whose text has `message`.
 #[track_caller]
 fn assert_wrong(web: &str, place: &str, message: &str) {
     let found = wrong(web);
@@ -50,7 +50,7 @@ fn assert_wrong(web: &str, place: &str, message: &str) {
 }
 
 #[test]
-fn a_polygon_has_the_side_or_the_diameter_that_is_asked_for() {
+fn a_polygon_has_the_given_side_or_diameter() {
     let by_side = drawn("web.polygon = { sides = 6, side = \"2.5 m\", mesh = \"0.5 m\" }");
     let by_diameter = drawn("web.polygon = { sides = 6, diameter = \"5 m\", mesh = \"0.5 m\" }");
     for web in [by_side, by_diameter] {
@@ -61,7 +61,7 @@ fn a_polygon_has_the_side_or_the_diameter_that_is_asked_for() {
 }
 
 #[test]
-fn what_a_mesh_becomes_is_said() {
+fn a_note_tells_the_sizes_that_follow_from_a_mesh() {
     let told = model("web.polygon = { sides = 6, side = 2.5, mesh = 0.5 }").notes;
     assert!(told.iter().any(|note| note.contains("parallels are 0.5413 m apart")), "{told:?}");
     // its apothem is 2 m
@@ -72,7 +72,7 @@ fn what_a_mesh_becomes_is_said() {
 }
 
 #[test]
-fn a_radial_web_has_a_corner_at_every_radial_unless_told_otherwise() {
+fn a_radial_web_has_a_corner_at_every_radial_by_default() {
     let web = |more: &str| format!("web.radial = {{ diameter = 5, radials = 12, rings = 4{more} }}");
     assert_eq!(drawn(&web("")).corners.len(), 12);
     assert_eq!(drawn(&web(", corners = 4")).corners.len(), 4);
@@ -104,9 +104,9 @@ assign.gathering = \"cord\"";
     assert_eq!(model.cells.len(), 100);
 }
 
-/// A whole mesh is no stub, however coarsely it is cut.
+/// A whole mesh is not a stub, however coarse the segments are.
 #[test]
-fn coarse_segments_leave_no_web_short_of_a_knot() {
+fn coarse_segments_remove_no_knot() {
     for web in [
         "web.radial = { diameter = 5, radials = 3, rings = 40 }",
         "web.polygon = { sides = 3, side = 2, mesh = 0.05 }",
@@ -118,7 +118,7 @@ fn coarse_segments_leave_no_web_short_of_a_knot() {
 }
 
 #[test]
-fn wrong_sizes_are_told_with_their_place_and_what_was_expected() {
+fn wrong_sizes_are_reported_at_their_place_with_the_expected_range() {
     let polygon = |sizes: &str| format!("[web.polygon]\n{sizes}");
     assert_wrong(
         &polygon("sides = 2\nside = 1\nmesh = 0.1"),

@@ -272,7 +272,7 @@ fn a_run_that_would_never_end_is_refused() {
     let message = net_with("every = \"5 ms\"", "every = 1e-12");
     assert_says(&message, &["record.every: 5.000e10 records are too many", "--> net.toml:27:9"]);
     let message = net_with("duration = \"50 ms\"", "duration = \"1e300 s\"");
-    assert_says(&message, &["solve.duration: ", "steps of", "are too many", "asks for such a step"]);
+    assert_says(&message, &["solve.duration: ", "steps of", "are too many", "limits the step"]);
 }
 
 #[test]

@@ -111,8 +111,8 @@ fn area(cut: &CutWeb, nodes: [usize; 3]) -> f64 {
     0.5 * (b - a).cross(c - a).length()
 }
 
-/// The largest speed at which anything is thrown or driven, m/s. Where the work of a tube is unknown, its largest force is
-/// taken to act along the whole stroke.
+/// The largest speed at which anything is thrown or driven, m/s. If the work of a tube is unknown, its largest force is taken
+/// to act along the whole stroke.
 fn launch_speed(parts: &SystemParts, state: &State) -> f64 {
     let at_start = state.velocity.iter().map(|velocity| velocity.length());
     let launched = parts.launchers.iter().map(|Launcher { node, by, .. }| match by {
@@ -151,7 +151,10 @@ fn drawn_solidity(draft: &Draft) -> Option<f64> {
     Some(projected.sum::<f64>() / area)
 }
 
-/// The solidity that the scenario asks for; none where it asks for none.
+/// The solidity of the screen; none if ropes drag as if alone.
+///
+/// # Errors
+/// A solidity of the web that is unknown or too large for a screen.
 fn solidity(document: &Document, asked: &WrittenAir, drawn: Option<f64>) -> Result<Option<f64>, Diagnostic> {
     const KEY: &str = "environment.air.solidity";
     match (asked.solidity, drawn) {
@@ -159,11 +162,11 @@ fn solidity(document: &Document, asked: &WrittenAir, drawn: Option<f64>) -> Resu
         (Some(Solidity::Given(share)), _) => Ok(Some(share.si())),
         (Some(Solidity::Web), Some(drawn)) if OpenShare::INTERVAL.contains(drawn) => Ok(Some(drawn)),
         (Some(Solidity::Web), Some(drawn)) => {
-            let message = format!("the web's ropes fill {:.0} % of its outline, which is no screen", 100.0 * drawn);
+            let message = format!("the web's ropes cover {:.0} % of its outline, too much for a screen", 100.0 * drawn);
             Err(document.diagnostic(KEY, message).with_help("leave it out: each rope then drags as if alone"))
         }
         (Some(Solidity::Web), None) => {
-            let message = "the web has no outline, hence no area that its ropes could be compared to";
+            let message = "the web has no outline, so its solidity is unknown";
             Err(document.diagnostic(KEY, message).with_help("give a number, or `web.graph.outline`"))
         }
     }

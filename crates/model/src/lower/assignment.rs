@@ -83,10 +83,10 @@ fn unknown_names(
 ) -> Result<(), Diagnostics> {
     let mut found = Vec::new();
     for name in scenario.assign.keys() {
-        let is_it = |(link, others): (&Link, &[Option<String>; 3])| {
+        let is_named = |(link, others): (&Link, &[Option<String>; 3])| {
             link.label == *name || others.iter().flatten().any(|other| other == name)
         };
-        if web.ropes.iter().zip(names).any(is_it) {
+        if web.ropes.iter().zip(names).any(is_named) {
             continue;
         }
         let mut classes: Vec<&Class> = web.ropes.iter().map(|link| &link.class).collect();

@@ -30,7 +30,7 @@ pub struct Lump {
 pub struct Binding {
     /// The canopy, as an index into the web's.
     pub canopy: usize,
-    /// What a message calls it.
+    /// Its name in messages.
     pub label: String,
     /// The nodes; their mass becomes a part of the body.
     pub nodes: Vec<usize>,

@@ -24,7 +24,7 @@ pub fn make_rigid(draft: &mut Draft) -> Result<(), Diagnostics> {
         let knot = body.node;
         let Some(index) = cut.web.tractors.iter().position(|tractor| *tractor == knot) else { continue };
         let Some((arm, path)) = arm(scenario, index as u32 + 1, body) else { continue };
-        let (Some(inertia), false) = (body.solid.inertia_kg_m2(), parts.held[knot]) else {
+        let Some(inertia) = body.solid.inertia_kg_m2().filter(|_| !parts.held[knot]) else {
             let (message, help) = if parts.held[knot] {
                 ("the corner that it is tied to is held by [hold]", "tie it at its centre")
             } else {

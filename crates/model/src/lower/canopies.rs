@@ -1,4 +1,4 @@
-//! Canopies that are more than links: rigid plates, and sheets of triangles with what is bound to them.
+//! Canopies as links, as rigid plates, or as sheets of triangles with rigid patches.
 
 use glam::DVec3;
 use netcast_dynamics::forces::element::ElementError;
@@ -16,10 +16,10 @@ use super::material::{add_links, canopy_of, group_number};
 use super::members::PlacedBody;
 use super::places;
 
-/// Makes the canopies: members, plates or sheets. Adds nodes to the web, and what canopies weigh to the mass of their nodes.
+/// Makes the canopies: links, plates or sheets. Adds nodes to the web and the mass of the canopies to their nodes.
 ///
 /// # Errors
-/// A sheet that cannot be meshed as asked, or whose material cannot be.
+/// A sheet whose mesh, tie radius or material is impossible.
 pub fn make(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Some(canopy) = canopy_of(&draft.scenario, &draft.cut) else { return Ok(()) };
     let Draft { document, cut, groups, members, bodies, parts, .. } = draft;
@@ -37,14 +37,14 @@ pub fn make(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// A regular hexagon of this side as a plate in the web's plane about the origin: I = m (5 s^2/24 + t^2/12) across, 5 m
-/// s^2/12 about its axis.
+/// A regular hexagonal plate about the origin, in the plane of the web: `mass` in kg, `side` s and `thickness` t in m. Its
+/// moments of inertia are m (5 s^2/24 + t^2/12) about axes in its plane and 5 m s^2/12 about its normal.
 fn hexagonal_plate(mass: f64, side: f64, thickness: f64) -> Lump {
     let across = 5.0 / 24.0 * side * side + thickness * thickness / 12.0;
     Lump { place: DVec3::ZERO, mass, inertia: mass * DVec3::new(across, across, 5.0 / 12.0 * side * side) }
 }
 
-/// Every canopy one body.
+/// Makes each canopy one rigid body.
 fn rigid(cut: &CutWeb, lump: Lump) -> Canopies {
     let mut canopies = Canopies::default();
     for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
@@ -60,7 +60,7 @@ fn rigid(cut: &CutWeb, lump: Lump) -> Canopies {
     canopies
 }
 
-/// Every canopy a sheet.
+/// Makes each canopy a sheet.
 fn sheets(
     document: &Document,
     sheet: &CanopyMembrane,
@@ -75,8 +75,8 @@ fn sheets(
     let reach = bodies.iter().map(|body| body.solid.shape.radius_m()).fold(0.0, f64::max);
     if tie_radius > 0.0 && (2.0 * tie_radius >= side || tie_radius + reach >= side) {
         let message = format!(
-            "what is bound within {tie_radius} m of a corner must stay apart from the next corner, {side} m away, and from \
-             what is fixed to the middle, {reach} m in radius"
+            "the nodes bound within {tie_radius} m of a corner must stay apart from the next corner, {side} m away, and from \
+             the body on the middle, {reach} m in radius"
         );
         return Err(wrong("tie_radius", message).into());
     }
@@ -97,7 +97,7 @@ fn sheets(
     Ok(canopies)
 }
 
-/// The nodes of a canopy's mesh; those that are no knots are added.
+/// The nodes of a canopy's mesh, (nodes,), in its order. Adds those that are not knots.
 fn mesh_nodes(mesh: &Sheet, canopy: usize, cut: &mut CutWeb, mass: &mut Vec<f64>) -> Vec<usize> {
     let hexagon = cut.web.canopies[canopy].clone();
     let middle = cut.nodes[hexagon.hub];
@@ -114,8 +114,8 @@ fn mesh_nodes(mesh: &Sheet, canopy: usize, cut: &mut CutWeb, mass: &mut Vec<f64>
     mesh.nodes.iter().enumerate().map(&mut node).collect()
 }
 
-/// What of a canopy is bound together: the nodes about each corner, and those under what is fixed to the middle. A node
-/// by itself needs no binding.
+/// The rigid patches of a canopy: the nodes about each corner, and the nodes under the body on its hub, `on_hub` m in
+/// radius. A single node needs no binding.
 fn patches(
     mesh: &Sheet,
     nodes: &[usize],
@@ -126,7 +126,7 @@ fn patches(
 ) -> Vec<Binding> {
     let number = cut.web.canopies[canopy].number;
     let about = |at: usize, radius: f64| -> Vec<usize> {
-        // a node on the circle is in, whatever rounding says
+        // rounding must not exclude a node on the circle
         let is_near = |&index: &usize| mesh.nodes[index].distance(mesh.nodes[at]) <= radius * (1.0 + 1e-9);
         (0..nodes.len()).filter(is_near).map(|index| nodes[index]).collect()
     };
@@ -137,7 +137,7 @@ fn patches(
     patches.map(|(label, nodes)| Binding { canopy, label, nodes, lumps: Vec::new() }).collect()
 }
 
-/// The elements of all sheets and their masses. What lies inside a patch keeps its shape and needs none.
+/// Adds the elements of all sheets, and their mass to the nodes. An element inside a rigid patch is left out.
 fn add_elements(
     canopies: &mut Canopies,
     sheet: &CanopyMembrane,
@@ -147,7 +147,9 @@ fn add_elements(
     let Canopies { sheets, membranes, hinges, bindings, .. } = canopies;
     let mut patch = vec![None; mass.len()];
     for (index, binding) in bindings.iter().enumerate() {
-        binding.nodes.iter().for_each(|&node| patch[node] = Some(index));
+        for &node in &binding.nodes {
+            patch[node] = Some(index);
+        }
     }
     let is_rigid = |nodes: &[usize]| patch[nodes[0]].is_some() && nodes.iter().all(|&n| patch[n] == patch[nodes[0]]);
 
@@ -159,13 +161,15 @@ fn add_elements(
         Damping::Ratio(ratio) => 2.0 * ratio * spacing * (sheet.density.si() / modulus).sqrt(),
     };
     let fabric = Fabric { elasticity, thickness, compresses: !sheet.wrinkles, damping_time };
-    // nu12 nu21 in place of nu^2
+    // an orthotropic sheet has nu12 nu21 where an isotropic one has nu^2
     let poisson = elasticity.poisson_ratio * (elasticity.moduli[1] / elasticity.moduli[0]).sqrt();
     let rigidity = flexural_rigidity(modulus, poisson, thickness);
     let triangle_mass = Canopy::Membrane(sheet.clone()).mass_and_volume().0 / mesh.triangles.len() as f64;
     for sheet_nodes in sheets {
         for (triangle, nodes) in mesh.triangles.iter().zip(&sheet_nodes.triangles) {
-            nodes.iter().for_each(|&node| mass[node] += triangle_mass / 3.0);
+            for &node in nodes {
+                mass[node] += triangle_mass / 3.0;
+            }
             if !is_rigid(nodes) {
                 membranes.push(Membrane::new(*nodes, triangle.map(|node| mesh.nodes[node]), &fabric)?);
             }
@@ -182,7 +186,7 @@ fn add_elements(
     Ok(())
 }
 
-/// Elasticity in the plane, and the geometric mean of its moduli, Pa.
+/// In-plane elasticity of a sheet, and the geometric mean of its two elastic moduli, Pa.
 fn elasticity(sheet: &CanopyMembrane) -> (Elasticity, f64) {
     let along = sheet.elastic_modulus.si();
     let across = sheet.elastic_modulus_across.map_or(along, |modulus| modulus.si());
@@ -197,7 +201,7 @@ fn elasticity(sheet: &CanopyMembrane) -> (Elasticity, f64) {
 mod tests {
     use super::*;
 
-    /// The second moment of a regular hexagon of side 1 about an axis in its plane, by its six triangles.
+    /// Held against the six triangles of the hexagon.
     #[test]
     fn a_hexagonal_plate_has_the_inertia_of_its_triangles() {
         let lump = hexagonal_plate(2.0, 0.3, 0.0);

@@ -1,4 +1,4 @@
-//! A canopy as twelve members that pull and never push: six spokes from its hub, six sides. It folds freely, like
+//! A canopy as twelve members that carry tension only: six spokes from its hub and six sides. It folds freely, like
 //! cloth.
 //!
 //! The members are chosen so that the canopy, flat and pulled in its plane, is as stiff as its sheet. A triangular
@@ -9,8 +9,8 @@
 //! spoke  k = sqrt(3)/2 E t        side (one triangle only)  k = sqrt(3)/4 E t
 //! ```
 //!
-//! Mass: a third of each triangle's at each of its corners, so a third of the canopy on the hub and a ninth on each
-//! rim node. What it is not: a plate. It neither bends nor keeps its shape, and it takes no compression.
+//! Each triangle puts a third of its mass on each of its corners. The hub then carries a third of the canopy, and each rim
+//! node a ninth. Such a canopy is no plate: it has no bending stiffness and carries no compression.
 
 use netcast_scenario::CanopyLinks;
 
@@ -41,7 +41,7 @@ pub fn members(canopy: &CanopyLinks, mass: f64) -> Members {
         length: canopy.side.si(),
         spoke_stiffness,
         side_stiffness: 0.5 * spoke_stiffness,
-        // halved between their ends, these give the hub m/3 and each rim node m/9
+        // half of each mass goes to either end: m/3 on the hub and m/9 on each rim node
         spoke_mass: mass / 9.0,
         side_mass: mass / 18.0,
         damping_ratio: canopy.damping_ratio.si(),

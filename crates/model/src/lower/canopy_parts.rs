@@ -1,4 +1,4 @@
-//! What the canopies of a web are, beside links.
+//! The elements and rigid bodies of canopies that are plates or sheets.
 
 use netcast_dynamics::forces::hinge::Hinge;
 use netcast_dynamics::forces::membrane::Membrane;
@@ -7,18 +7,18 @@ use netcast_webs::{CutWeb, StiffPlate};
 use super::binding::{Binding, Bound, Lump};
 use super::members::PlacedBody;
 
-/// What the canopies of a web are, beside links.
+/// The elements and rigid bodies of canopies that are plates or sheets.
 #[derive(Debug, Clone, Default)]
 pub struct Canopies {
-    /// Those that are sheets, in order.
+    /// The canopies that are sheets, in the order of the web.
     pub sheets: Vec<CutSheet>,
     /// Triangles of the sheets, sheet by sheet.
     pub membranes: Vec<Membrane>,
-    /// Where they resist bending.
+    /// Hinges at which sheets resist bending.
     pub hinges: Vec<Hinge>,
-    /// What keeps its shape when the web is packed.
+    /// The canopies that keep their shape when the web is packed.
     pub plates: Vec<StiffPlate>,
-    /// What is bound rigidly together; none of it before [`Canopies::bind`].
+    /// Rigid bodies made of nodes; empty before [`Canopies::bind`].
     pub bound: Vec<Bound>,
     pub(super) bindings: Vec<Binding>,
 }
@@ -28,14 +28,14 @@ pub struct Canopies {
 pub struct CutSheet {
     /// Its nodes in the order of the mesh: its hub, then ring by ring outwards.
     pub nodes: Vec<usize>,
-    /// Its triangles, of nodes of the system.
+    /// Its triangles, by nodes of the system, (triangles, 3).
     pub triangles: Vec<[usize; 3]>,
     /// The nodes on its corners, anticlockwise.
     pub corners: [usize; 6],
 }
 
 impl Canopies {
-    /// Whether a node is bound to others, and then makes what sits there a part of that.
+    /// Adds `body` to the rigid body that its node belongs to. Returns whether there is one.
     pub fn carry(&mut self, body: &PlacedBody, cut: &CutWeb) -> bool {
         let binding = self.bindings.iter_mut().find(|binding| binding.nodes.contains(&body.node));
         if let Some(binding) = binding {
@@ -49,7 +49,7 @@ impl Canopies {
         false
     }
 
-    /// What lies flat in a folded web: plates, and cloth too, for its triangles are larger than a fold's bends.
+    /// The canopies that lie flat in a folded web: plates, and cloth too, whose triangles are larger than the bends of a fold.
     pub fn laid_in_folds(&self) -> Vec<StiffPlate> {
         let is_plate = |canopy: usize| self.plates.iter().any(|plate| plate.canopy == canopy);
         let cloth = self.sheets.iter().enumerate().filter(|(canopy, _)| !is_plate(*canopy));
@@ -57,7 +57,7 @@ impl Canopies {
         self.plates.iter().cloned().chain(cloth).collect()
     }
 
-    /// Binds what is to be bound, once all nodes have their masses, kg; adds nodes in the centres.
+    /// Makes the rigid bodies and adds a node at the centre of each. Needs the `mass` of every node, kg.
     pub fn bind(&mut self, cut: &mut CutWeb, mass: &mut Vec<f64>) {
         for binding in self.bindings.drain(..) {
             let bound = binding.bind(cut, mass);
@@ -68,7 +68,7 @@ impl Canopies {
     }
 }
 
-/// The triangles that air drags at: those of the sheets, or of each hexagon six round its hub.
+/// The triangles that drag, by nodes, (triangles, 3): those of the sheets, or else six round the hub of each canopy.
 pub fn triangles(sheets: &[CutSheet], cut: &CutWeb) -> Vec<[usize; 3]> {
     if !sheets.is_empty() {
         return sheets.iter().flat_map(|sheet| sheet.triangles.iter().copied()).collect();

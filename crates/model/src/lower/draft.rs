@@ -1,4 +1,4 @@
-//! A model in the making.
+//! The draft that the stages turn into a model.
 
 use glam::{DMat3, DVec3};
 use netcast_dynamics::state::State;
@@ -14,58 +14,58 @@ use super::throw::{Throw, frame};
 use super::{STAGES, Stage, drawing};
 use crate::Model;
 
-/// What the stages have made so far. A stage reads what the stages that it needs have made, and adds its own.
+/// The results of the stages so far. A stage reads the results of the stages that it needs and adds its own.
 pub struct Draft<'d> {
     /// The scenario as it was read.
     pub document: &'d Document,
-    /// The same with what is chosen on the way.
+    /// The scenario; the stages fill in values that it left out.
     pub scenario: Scenario,
-    /// What was chosen or changed for the user, to be said.
+    /// Messages to the user about values that were chosen or changed.
     pub notes: Vec<String>,
     /// The web as drawn and cut.
     pub cut: CutWeb,
-    /// Turns the launch frame to the world.
+    /// Rotation from the launch frame to the world frame.
     pub frame: DMat3,
     /// The rope of each link, by its place in [`super::assignment::ropes`], (links,).
     pub kinds: Vec<usize>,
-    /// Link class and rope by the system's class number.
+    /// Link class and rope of each class number of the system, (classes,).
     pub groups: Vec<Group>,
-    /// The segments and what each is a part of.
+    /// The segments, each with the rope, canopy or thread that it belongs to.
     pub members: Vec<Member>,
-    /// What the canopies are beside links.
+    /// Elements and rigid bodies of canopies that are plates or sheets.
     pub canopies: Canopies,
-    /// Payloads, sensor and tractors where they sit.
+    /// Payloads, sensor and tractors with their nodes.
     pub bodies: Vec<PlacedBody>,
-    /// Positions of all nodes in the launch frame, as stowed, m.
+    /// Positions of all nodes as stowed, launch frame, m, (nodes,).
     pub stowed: Vec<DVec3>,
-    /// How each canopy is turned against the flat web, (canopies,).
+    /// Rotation of each canopy from the flat to the stowed web, (canopies,).
     pub turns: Vec<DMat3>,
-    /// How each tractor is thrown, in the order of the corners, (tractors,).
+    /// How each tractor is thrown, in the order of the corners, (tractors,); none for a tractor that is not thrown.
     pub throws: Vec<Option<Throw>>,
-    /// The tractors in order around the web; their nodes.
+    /// Nodes of the tractors in order around the web, (tractors,).
     pub tractors: Vec<usize>,
-    /// Whether nothing of the web is held or driven.
+    /// Whether no node is held or driven.
     pub falls: bool,
-    /// What the system is made from.
+    /// The parts of the system.
     pub parts: SystemParts,
-    /// Where it starts, world frame.
+    /// The state at the start, world frame.
     pub state: State,
-    /// Its mass, kg.
+    /// Total mass, kg.
     pub mass: f64,
     /// The bill of materials.
     pub bill: Option<Bill>,
-    /// The state at the start, looked over.
+    /// The audit of the packed web.
     pub audit: Option<Audit>,
-    /// What the air comes to; none where there is none.
+    /// Key figures of the air; none without air.
     pub air: Option<AirOutline>,
-    /// The system with what bounds its step.
+    /// The system with the stability limit of its step.
     pub system: Option<(System, StepLimit)>,
     made: Vec<Stage>,
     faults: Vec<Diagnostic>,
 }
 
 impl<'d> Draft<'d> {
-    /// The web, drawn and cut; nothing can be made without it.
+    /// Draws and cuts the web. Every stage needs it.
     ///
     /// # Errors
     /// A web that cannot be drawn, or is too large.
@@ -101,10 +101,10 @@ impl<'d> Draft<'d> {
         })
     }
 
-    /// Runs the stages in order. One that needs what could not be made is skipped; the faults of all others are collected.
+    /// Runs the stages in order. Skips a stage if one that it needs has failed.
     ///
     /// # Errors
-    /// Everything that is wrong.
+    /// The mistakes that all stages found.
     pub fn run(mut self) -> Result<Self, Diagnostics> {
         for (stage, needs, make) in STAGES {
             if !needs.iter().all(|need| self.has(*need)) {
@@ -119,12 +119,12 @@ impl<'d> Draft<'d> {
         Ok(self)
     }
 
-    /// Whether a stage has done its work without a fault.
+    /// Whether a stage has succeeded.
     pub fn has(&self, stage: Stage) -> bool {
         self.made.contains(&stage)
     }
 
-    /// The model, once all stages have done their work.
+    /// The model, after all stages have succeeded.
     pub fn finish(self) -> Model {
         let made = "a draft without faults is complete";
         let (system, limit) = self.system.expect(made);

@@ -1,4 +1,4 @@
-//! The web as drawn: its kind, its traction ropes, its stubs merged, cut into segments.
+//! Draws the web of a scenario, merges short stubs, adds traction ropes and cuts all ropes into segments.
 
 use glam::DVec3;
 use netcast_scenario::quantity::Length;
@@ -13,12 +13,15 @@ use netcast_webs::{
 use super::places;
 use super::size::Size;
 
-/// Segments along a web's radius where the scenario does not say how long they are.
+/// Segments along the radius of a web by default.
 const SEGMENTS_PER_RADIUS: f64 = 25.0;
 
-/// Draws and cuts the web; writes the segment length into `scenario` where it was left out.
+/// Draws and cuts the web. Writes a default segment length into `scenario`.
+///
+/// # Errors
+/// A web that cannot be drawn or cut, or that needs more memory than the machine has.
 pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String>) -> Result<CutWeb, Diagnostics> {
-    let mut web = kind(document, scenario, notes)?;
+    let mut web = draw_kind(document, scenario, notes)?;
     name_points(scenario, &mut web);
     let per_mesh = match &scenario.web {
         WrittenWeb::Square(square) => square.segments_per_mesh.map(|n| square.mesh.si() / f64::from(n.get())),
@@ -34,9 +37,9 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
             length
         }
     };
-    // the one web that its outline clips; elsewhere a short rope was asked for
+    // only here does the outline cut ropes short; elsewhere a short rope was asked for
     if matches!(scenario.web, WrittenWeb::Traditional(_)) {
-        notes.extend(merged(web.merge_stubs(0.5 * length)));
+        notes.extend(merge_note(web.merge_stubs(0.5 * length)));
     }
     let web = add_traction(document, scenario, web)?;
     let size = Size::of_web(&web, length);
@@ -58,20 +61,21 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     })
 }
 
-fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Result<Web, Diagnostics> {
+/// The web of its kind, without traction ropes, uncut.
+fn draw_kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Result<Web, Diagnostics> {
     let asked = &scenario.web;
-    let one = |drawn: Result<Web, WebError>| {
+    let with_place = |drawn: Result<Web, WebError>| {
         drawn.map_err(|error| {
             let path = error.argument_name().map_or(asked.table().to_owned(), |name| places::of_web(name, asked));
             Diagnostics::from(document.diagnostic(&path, error.to_string()))
         })
     };
     match asked {
-        WrittenWeb::Traditional(w) => one(traditional(w.side.si(), w.cells_per_side.get() as usize)),
-        WrittenWeb::Topological(w) => one(topological(w.side.si(), w.hexagon_side.si())),
+        WrittenWeb::Traditional(w) => with_place(traditional(w.side.si(), w.cells_per_side.get() as usize)),
+        WrittenWeb::Topological(w) => with_place(topological(w.side.si(), w.hexagon_side.si())),
         WrittenWeb::Space(w) => {
             let canopy = scenario.canopy.clone().unwrap_or_default();
-            one(space(w.side.si(), canopy.side_m()))
+            with_place(space(w.side.si(), canopy.side_m()))
         }
         WrittenWeb::Square(w) => {
             let net = square(w.side.si(), w.mesh.si());
@@ -79,15 +83,15 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
                 Some(rope) => net.and_then(|net| net.with_gathering(rope.every.get() as usize, rope.excess.si())),
                 None => net,
             };
-            one(net)
+            with_place(net)
         }
         WrittenWeb::Polygon(w) => {
             let (sides, side, mesh) = (w.sides.get() as usize, w.side_m(), w.mesh.si());
-            let drawn = one(polygon(sides, side, mesh))?;
+            let drawn = with_place(polygon(sides, side, mesh))?;
             notes.extend(parallels_apart(sides, side, mesh));
             Ok(drawn)
         }
-        WrittenWeb::Radial(w) => one(radial(&Radial {
+        WrittenWeb::Radial(w) => with_place(radial(&Radial {
             diameter: w.diameter.si(),
             radials: w.radials.get() as usize,
             rings: w.rings.get() as usize,
@@ -101,7 +105,7 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
                 meshes_wide: w.meshes_wide.get() as usize,
                 meshes_high: w.meshes_high.get() as usize,
             };
-            let drawn = one(diamond(&net))?;
+            let drawn = with_place(diamond(&net))?;
             let [width, height] = net.size();
             notes.push(format!("the diamond net is {width:.4} m wide and {height:.4} m high"));
             Ok(drawn)
@@ -109,7 +113,7 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
         WrittenWeb::Graph(w) => {
             let files = document.files.graph.as_ref().expect("a document of a graph has read its files");
             Size::of_graph(files).require(document, "web.graph.ropes", "run it where there is more memory")?;
-            graph(&listed(w, files, scenario)).map_err(|errors| {
+            graph(&graph_of_files(w, files, scenario)).map_err(|errors| {
                 let all = errors.into_iter().map(|error| graph_diagnostic(document, files, error)).collect();
                 Diagnostics::fail_if_any(all).expect_err("a web that is refused has errors")
             })
@@ -117,7 +121,7 @@ fn kind(document: &Document, scenario: &Scenario, notes: &mut Vec<String>) -> Re
     }
 }
 
-/// That the parallels of a polygon are not a mesh apart.
+/// A note that the parallels of a polygon are not one mesh apart; none where they are.
 fn parallels_apart(sides: usize, side: f64, mesh: f64) -> Option<String> {
     let spacing = parallel_spacing(sides, side, mesh).ok()?;
     let differs = (spacing / mesh - 1.0).abs() > 1e-6;
@@ -126,8 +130,8 @@ fn parallels_apart(sides: usize, side: f64, mesh: f64) -> Option<String> {
     })
 }
 
-/// The files' rows as the web's own lists.
-fn listed(web: &WrittenGraph, files: &GraphFiles, scenario: &Scenario) -> Graph {
+/// The nodes and ropes of a graph from its files.
+fn graph_of_files(web: &WrittenGraph, files: &GraphFiles, scenario: &Scenario) -> Graph {
     let id = |node: usize| files.nodes[node].id.clone();
     Graph {
         nodes: files
@@ -153,7 +157,7 @@ fn listed(web: &WrittenGraph, files: &GraphFiles, scenario: &Scenario) -> Graph 
     }
 }
 
-/// Puts an error of a graph where the user can mend it: the list, or the file with the line.
+/// An error of a graph at its key in the scenario, with the line of the file.
 fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) -> Diagnostic {
     let rope_line = |rope: &usize| files.ropes.get(*rope).map(|row| row.line);
     let (path, line) = match &error {
@@ -173,7 +177,7 @@ fn graph_diagnostic(document: &Document, files: &GraphFiles, error: WebError) ->
     document.diagnostic(path, format!("{at}{error}"))
 }
 
-/// Finds the feature points of a web that is not a graph; those that it has not are told later.
+/// Finds the feature points of a web that is not a graph. The stage `Points` reports those that it lacks.
 fn name_points(scenario: &Scenario, web: &mut Web) {
     if matches!(scenario.web, WrittenWeb::Graph(_)) {
         return;
@@ -185,6 +189,7 @@ fn name_points(scenario: &Scenario, web: &mut Web) {
     }
 }
 
+/// Adds the traction ropes and tractors that the scenario asks for.
 fn add_traction(document: &Document, scenario: &Scenario, web: Web) -> Result<Web, Diagnostics> {
     let some_tractor = scenario.tractor.is_some() || !scenario.tractors.is_empty();
     if !some_tractor && scenario.traction_rope.is_none() {
@@ -201,8 +206,8 @@ fn add_traction(document: &Document, scenario: &Scenario, web: Web) -> Result<We
     })
 }
 
-/// What merging did, in a line or two however many stubs there were.
-fn merged(stubs: Vec<Merged>) -> Option<String> {
+/// A note on the merged stubs; none without stubs.
+fn merge_note(stubs: Vec<Merged>) -> Option<String> {
     let shortest = stubs.iter().map(|s| s.length).reduce(f64::min)?;
     let longest = stubs.iter().map(|s| s.length).fold(0.0, f64::max);
     let sample = &stubs[0];
@@ -216,7 +221,7 @@ fn merged(stubs: Vec<Merged>) -> Option<String> {
     ))
 }
 
-/// A length rounded to two significant digits.
-pub(super) fn two_digits(length: f64) -> f64 {
-    format!("{length:.1e}").parse().unwrap_or(length)
+/// A number rounded to two significant digits.
+pub(super) fn two_digits(number: f64) -> f64 {
+    format!("{number:.1e}").parse().unwrap_or(number)
 }

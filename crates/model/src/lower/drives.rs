@@ -1,4 +1,4 @@
-//! What a scenario moves along given paths, node by node.
+//! Drives: nodes that follow given paths.
 
 use std::collections::BTreeMap;
 
@@ -13,16 +13,19 @@ use super::selection::resolve;
 
 /// Drives as a scenario names them.
 pub struct Drives<'s> {
-    /// The table that they stand in.
+    /// The table of the scenario that holds them.
     pub table: &'s str,
-    /// By name.
+    /// The drives by name.
     pub drives: &'s BTreeMap<String, netcast_scenario::Drive>,
-    /// The files of their paths, by name.
+    /// Rows of the path files by the name of the drive.
     pub files: &'s BTreeMap<String, Vec<PathRow>>,
 }
 
 impl Drives<'_> {
-    /// By name and then by node; `position` is where the nodes start, m.
+    /// The drives of all nodes, by name and then by node; `position` is the start of each node, m, (nodes,).
+    ///
+    /// # Errors
+    /// A path whose times do not grow, an unknown node, a node with two drives.
     pub fn resolve(&self, document: &Document, cut: &CutWeb, position: &[DVec3]) -> Result<Vec<Drive>, Diagnostics> {
         let (mut drives, mut found) = (Vec::<Drive>::new(), Vec::new());
         for (name, drive) in self.drives {
@@ -32,7 +35,7 @@ impl Drives<'_> {
             let listed = drive.path.iter().flatten().map(|point| (point.time.si(), point.by.map(|by| by.si())));
             let mut before = None;
             for (index, (time, by)) in of_file.chain(listed).enumerate() {
-                // the rows of a file have been looked at
+                // rows of a file were checked when it was read
                 if let Some(why) = misplaced(time, by, before) {
                     found.push(document.diagnostic(&path.key("path").index(index).to_string(), why));
                 }
@@ -60,7 +63,7 @@ impl Drives<'_> {
     }
 }
 
-/// Finds what is driven.
+/// Finds the driven nodes and their paths.
 pub fn drive(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, parts, state, .. } = draft;
     let named = Drives { table: "drive", drives: &scenario.drive, files: &document.files.paths };
@@ -68,8 +71,11 @@ pub fn drive(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Holds what is driven. What drives a tractor or the middle of a canopy that is a rigid body drives the body's centre;
-/// the body turns freely about it.
+/// Marks driven nodes as held. The drive of a tractor or of a canopy's hub moves to the centre of its rigid body, which
+/// turns freely about that centre.
+///
+/// # Errors
+/// A drive of any other node of a rigid body.
 pub fn take_hold(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, parts, state, .. } = draft;
     let position = &state.position;
@@ -86,7 +92,9 @@ pub fn take_hold(draft: &mut Draft) -> Result<(), Diagnostics> {
                 continue;
             }
             let from_node = position[body.centre] - position[node];
-            drive.path.iter_mut().for_each(|(_, place)| *place += from_node);
+            for (_, place) in &mut drive.path {
+                *place += from_node;
+            }
             drive.node = body.centre;
         }
         parts.held[drive.node] = true;

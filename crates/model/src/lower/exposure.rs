@@ -1,4 +1,4 @@
-//! What the air does to a web, in figures: what a scenario's author checks before anything is run.
+//! Figures of a web in air, for a check before the run: Reynolds numbers, drag coefficients, speed of fall.
 
 use glam::DVec3;
 use netcast_dynamics::air::{Air, BodyDrag};
@@ -10,39 +10,39 @@ use netcast_webs::Class;
 use super::air_outline::AirOutline;
 use crate::Model;
 
-/// Ropes of one name in the air; those of a screen apart from others.
+/// The ropes of one name in the air. Ropes that drag as a screen form an entry of their own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RopesInAir {
     /// The name of their rope.
     pub rope: String,
-    /// Whether they drag as those of a screen.
+    /// Whether they drag as a screen.
     pub screened: bool,
     /// Its diameter times their length, m^2.
     pub area: f64,
-    /// Reynolds number across it at the launch speed.
+    /// Reynolds number by their diameter at the launch speed.
     pub reynolds: f64,
-    /// Normal coefficient there, with what a screen adds.
+    /// Normal drag coefficient at that Reynolds number, with the effect of the screen.
     pub normal: f64,
 }
 
 /// How a web falls through the air.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fall {
-    /// At this speed at last, m/s.
+    /// At this terminal speed, m/s.
     At(f64),
-    /// Not: it is no heavier than what it displaces.
+    /// It does not fall: it is no heavier than the medium that it displaces.
     Floats,
-    /// Ever faster: nothing of it drags.
+    /// Without a terminal speed: it has no drag.
     Unhindered,
 }
 
-/// A damped fall that has this many times its own time is long.
+/// Time of a fall, in multiples of 1 / damping, beyond which it is long.
 const LONG: f64 = 10.0;
-/// Bisections of a speed: more than a double can tell.
+/// Bisections of the terminal speed, more than the digits of a double.
 const HALVINGS: usize = 80;
 
 impl Model {
-    /// The ropes by name, in the order of the groups; nothing where there is no air.
+    /// The ropes in the air by name, in the order of the groups; empty without air.
     pub fn ropes_in_air(&self) -> Vec<RopesInAir> {
         let (Some(air), Some(outline)) = (&self.system.environment().air, &self.air) else { return Vec::new() };
         let mut found: Vec<RopesInAir> = Vec::new();
@@ -58,7 +58,8 @@ impl Model {
         found
     }
 
-    /// How the web falls, flat and level, without tractors and their ropes; none where there is no air.
+    /// How the web falls, flat and level, without tractors and traction ropes; none without air. The terminal speed balances
+    /// weight, buoyancy and drag.
     pub fn fall(&self) -> Option<Fall> {
         let (air, outline) = (self.system.environment().air.as_ref()?, self.air.as_ref()?);
         let weight = self.bill.web_mass() * self.system.environment().gravity.length() - outline.web_buoyancy;
@@ -68,7 +69,7 @@ impl Model {
         let ropes: Vec<_> =
             self.rope_areas(air).filter(|(group, ..)| self.groups[*group].class != Class::Traction).collect();
         let (density, viscosity) = (air.medium.density(0.0), air.medium.viscosity());
-        // their z axes stand on the web
+        // the z axis of each body is normal to the web
         let is_carried = |body: &&BodyDrag| !self.system.tractor()[body.node];
         let bodies: Vec<Shape> = air.bodies.iter().filter(is_carried).map(|body| body.shape).collect();
         let sheets: f64 = air.sheets.iter().map(|sheet| sheet.coefficient * sheet.area).sum();
@@ -92,7 +93,7 @@ impl Model {
         Some(Fall::At(fast))
     }
 
-    /// Each group of ropes with its diameter times its length, m^2, and its drag.
+    /// Each group of ropes with its projected area (diameter times length), m^2, and its drag.
     fn rope_areas<'a>(&'a self, air: &'a Air) -> impl Iterator<Item = (usize, f64, &'a RopeDrag)> {
         air.ropes.iter().enumerate().filter_map(|(group, drag)| {
             let drag = drag.as_ref()?;
@@ -102,12 +103,13 @@ impl Model {
     }
 }
 
+/// Reynolds number of a rope across its axis, `speed` in m/s, at the height of the muzzle.
 fn reynolds(air: &Air, drag: &RopeDrag, speed: f64) -> f64 {
     air.medium.density(0.0) * speed * drag.diameter / air.medium.viscosity()
 }
 
-/// What a user may not have expected of the air, and of what stands for it; `falls` where nothing holds the web.
-/// `gravity` is the system's, m/s^2.
+/// Notes on the air and on the mass damping that may stand for it. `gravity` is the system's, m/s^2; `falls` says that no
+/// node is held.
 pub fn notes(scenario: &Scenario, gravity: f64, air: Option<&AirOutline>, falls: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let environment = &scenario.environment;

@@ -1,4 +1,4 @@
-//! The ground under a web: which nodes and bodies touch it, and with what.
+//! The ground under a web: footings of nodes and hulls of bodies, each with its contact spring.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +9,15 @@ use netcast_scenario::{Diagnostics, Shape};
 
 use super::draft::Draft;
 
-/// The highest muzzle above the ground for which there are profiles of the wind, m.
+/// Largest height of the muzzle above the ground for which a wind profile is made, m.
 const HIGHEST_MUZZLE: f64 = 2000.0;
-/// Points of each rim of a cylinder.
+/// Points on each rim of a cylinder.
 const RIM: usize = 8;
 
-/// Puts the ground under a web that is otherwise complete, and writes its height out.
+/// Adds the ground to the parts of the system. Writes a default height into the scenario: that of the lowest point.
 ///
 /// # Errors
-/// Something lies below it at the start.
+/// A node or body that starts below the ground.
 pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, bodies: placed, parts, state, .. } = draft;
     let Some(asked) = &mut scenario.environment.ground else { return Ok(()) };
@@ -32,7 +32,7 @@ pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
             }
             Some(Shape::Cylinder { diameter_m, height_m }) => rims(diameter_m, height_m),
             Some(Shape::Box { size_m }) => corners(size_m),
-            // a plate: the nodes that it carries
+            // a plate touches the ground at its nodes
             Some(Shape::Particle { .. }) | None => body.ties.iter().map(|tie| tie.arm).collect(),
         };
         hulls.extend(points.into_iter().map(|arm| Hull::new(index, body, mass, (arm, 0.0), spring)));
@@ -52,7 +52,7 @@ pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
     });
     let (lowest, bottom) =
         of_nodes.chain(of_hulls).fold((0, f64::INFINITY), |one, other| if other.1 < one.1 { other } else { one });
-    // what is held or driven stands on the ground as well, though nothing pushes it
+    // held and driven nodes count for the height too, though the ground does not push them
     let all = state.position.iter().zip(&radius).map(|(place, radius)| place.z - radius);
     let height = asked.height.get_or_insert_with(|| Length::constant(all.fold(bottom, f64::min))).si();
     let profiled = scenario.environment.wind.as_mut().filter(|wind| wind.series.is_none());
@@ -69,7 +69,7 @@ pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Points round both ends of a cylinder, m.
+/// Points round both ends of a cylinder about its centre, m, (2 RIM,).
 fn rims(diameter: f64, height: f64) -> Vec<DVec3> {
     let angles = (0..RIM).map(|i| libm::sincos(TAU * i as f64 / RIM as f64));
     let around = |(sin, cos): (f64, f64)| {
@@ -78,7 +78,7 @@ fn rims(diameter: f64, height: f64) -> Vec<DVec3> {
     angles.flat_map(around).collect()
 }
 
-/// The corners of a box, m.
+/// The corners of a box about its centre, m, (8,).
 fn corners(size: [f64; 3]) -> Vec<DVec3> {
     let side = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { -0.5 } else { 0.5 };
     (0..8).map(|corner| DVec3::from_array(std::array::from_fn(|axis| side(corner, axis) * size[axis]))).collect()

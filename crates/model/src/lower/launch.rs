@@ -1,4 +1,4 @@
-//! The launch: its frame, the velocities at the start, and how each tractor is thrown.
+//! The launch: velocities of a graph's nodes, and how each tractor is thrown.
 
 use glam::{DMat3, DVec3};
 use netcast_dynamics::launcher::{Curve, Push};
@@ -7,9 +7,9 @@ use netcast_webs::CutWeb;
 
 use super::draft::Draft;
 use super::scatter::Chance;
-use super::throw::{Throw, Thrown, turned};
+use super::throw::{Throw, Thrown, launch_frame};
 
-/// What a graph's file says of its nodes' velocities, world frame, m/s, (nodes,).
+/// Velocities of a graph's nodes by its file, world frame, m/s, (nodes,); zero for any other web.
 pub fn own_velocities(document: &Document, cut: &CutWeb, frame: DMat3) -> Vec<DVec3> {
     let mut velocity = vec![DVec3::ZERO; cut.nodes.len()];
     for (node, row) in document.files.graph.iter().flat_map(|g| &g.nodes).enumerate() {
@@ -18,8 +18,10 @@ pub fn own_velocities(document: &Document, cut: &CutWeb, frame: DMat3) -> Vec<DV
     velocity
 }
 
-/// Finds how each tractor is thrown, along the axis and away from it in the direction of its own corner; none where it is not.
-/// In the order of the corners, (tractors,).
+/// Finds how each tractor is thrown: along the launch axis, and outwards in the direction of its corner.
+///
+/// # Errors
+/// A tractor at a corner that the web lacks, a launch without tractors, settings that contradict each other.
 pub fn throws(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, throws, .. } = draft;
     let (web, scenario) = (&cut.web, &*scenario);
@@ -49,22 +51,23 @@ pub fn throws(draft: &mut Draft) -> Result<(), Diagnostics> {
         let chance = scatter.map_or(Chance::default(), |scatter| Chance::of(scatter, corner));
         let outwards = web.knots[web.corners[index]].position - web.middle;
         let radial = DVec3::new(outwards.x, outwards.y, 0.0).normalize_or_zero();
-        let axis = turned(&launch) * DVec3::Z;
+        let axis = launch_frame(&launch) * DVec3::Z;
         let own = scenario.tractor_override(corner).and_then(|tractor| tractor.delay);
         let delay = own.map_or(0.0, |delay| delay.si()) + chance.delay;
         let (direction, by) = match (&launch.tube, &push) {
             (Some(tube), Some(push)) => {
                 let (sin, cos) = libm::sincos(tube.cant.si());
-                let direction = chance.turned(turned(&launch) * (sin * radial + cos * DVec3::Z));
+                let direction = chance.turned(launch_frame(&launch) * (sin * radial + cos * DVec3::Z));
                 let push = scaled(push, (1.0 + chance.speed) * (1.0 + chance.speed));
                 (direction, Thrown::From { stroke: tube.stroke.si(), push })
             }
             _ => {
                 let in_frame = launch.radial_speed.si() * radial + launch.axial_speed.si() * DVec3::Z;
-                let velocity = turned(&launch) * in_frame;
-                let velocity = match chance == Chance::default() {
-                    true => velocity,
-                    false => (1.0 + chance.speed) * velocity.length() * chance.turned(velocity.normalize_or_zero()),
+                let velocity = launch_frame(&launch) * in_frame;
+                let velocity = if chance == Chance::default() {
+                    velocity
+                } else {
+                    (1.0 + chance.speed) * velocity.length() * chance.turned(velocity.normalize_or_zero())
                 };
                 (velocity.try_normalize().unwrap_or(axis), Thrown::At(velocity))
             }
@@ -73,14 +76,16 @@ pub fn throws(draft: &mut Draft) -> Result<(), Diagnostics> {
     };
     *throws = (0..web.tractors.len()).map(throw).collect();
     if scatter.is_some_and(|scatter| scatter.delay.si() > 0.0) {
-        // chance may put a launch before its time: the first to go sets the clock
+        // scatter can make a delay negative: the first launch is at time 0
         let earliest = throws.iter().flatten().map(|throw| throw.delay).fold(f64::INFINITY, f64::min);
-        throws.iter_mut().flatten().for_each(|throw| throw.delay -= earliest);
+        for throw in throws.iter_mut().flatten() {
+            throw.delay -= earliest;
+        }
     }
     Ok(())
 }
 
-/// What a launch asks for that cannot be had together.
+/// Reports settings of a launch that exclude each other.
 fn contradictions(document: &Document, scenario: &Scenario) -> Vec<Diagnostic> {
     let Some(launch) = &scenario.launch else { return Vec::new() };
     let own = |key: &str, is_given: fn(&netcast_scenario::TractorOverride) -> bool| {
@@ -110,14 +115,14 @@ fn contradictions(document: &Document, scenario: &Scenario) -> Vec<Diagnostic> {
         let is_late = imperfection.is_some_and(|imperfect| imperfect.late_sector.is_some());
         given.extend(is_late.then(|| "stow.imperfection.late_sector".to_owned()));
         found.extend(given.iter().map(|path| {
-            let message = "what spins at the start is launched at once, and from no tube";
+            let message = "a spinning web is launched at once, and from no tube";
             document.diagnostic(path, message).with_help("leave it out, or `launch.spin`")
         }));
     }
     found
 }
 
-/// The force in a tube.
+/// The force on a tractor in its tube.
 fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
     let points = |key: &str, at: Option<Vec<f64>>, force: Option<Vec<f64>>| {
         let path = format!("launch.tube.{key}");
@@ -126,15 +131,17 @@ fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
                 at.into_iter().zip(force).collect()
             }
             (Some(at), Some(force), _) => {
-                let message = format!("a force is given at {} points, and {} values of it", at.len(), force.len());
+                let message =
+                    format!("expected one force a point, found {} points and {} forces", at.len(), force.len());
                 return Err(document.diagnostic(&path, message));
             }
             (_, _, Some(rows)) => rows.iter().map(|row| (row.at, row.force_n)).collect(),
             _ => return Err(document.diagnostic(&path, "a force is given at points, or in a file")),
         };
-        match points.windows(2).all(|pair| pair[0].0 < pair[1].0) {
-            true => Ok(Curve(points)),
-            false => Err(document.diagnostic(&format!("{path}.at"), "expected each more than the one before")),
+        if points.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+            Ok(Curve(points))
+        } else {
+            Err(document.diagnostic(&format!("{path}.at"), "expected increasing values"))
         }
     };
     let forces = |force: &Option<Vec<netcast_scenario::quantity::Force<_>>>| {
@@ -153,7 +160,7 @@ fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
     }
 }
 
-/// A force so many times as large.
+/// The force times `factor`.
 fn scaled(push: &Push, factor: f64) -> Push {
     let scaled = |curve: &Curve| Curve(curve.0.iter().map(|&(at, force)| (at, factor * force)).collect());
     match push {

@@ -1,4 +1,4 @@
-//! The loads of a scenario, node by node.
+//! Loads of a scenario as forces on nodes.
 
 use glam::DVec3;
 use netcast_dynamics::forces::load::Load;
@@ -9,7 +9,10 @@ use super::draft::Draft;
 use super::members::{Group, Member};
 use super::selection::resolve;
 
-/// Adds the loads, by name and then by node. A force per length of rope goes to the ends of each segment, half to either.
+/// Adds the loads, by name and then by node. A force per length of rope goes half to either end of each segment.
+///
+/// # Errors
+/// An unknown node, feature point or link class.
 pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, members, groups, parts, .. } = draft;
     let mut found = Vec::new();
@@ -35,7 +38,7 @@ pub fn load(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// The forces on the nodes of a class's ropes; none where no rope is of that class.
+/// Each node of the ropes of `class` with its force, N; none where no rope is of that class.
 fn along_ropes(
     force_per_length: DVec3,
     class: &str,
@@ -46,7 +49,9 @@ fn along_ropes(
     let mut half_lengths = vec![0.0; nodes];
     for Member { segment, .. } in members.iter().filter(|member| member.is_rope()) {
         if groups[segment.class].class.name() == class {
-            segment.ends.iter().for_each(|&end| half_lengths[end] += 0.5 * segment.rest_length);
+            for end in segment.ends {
+                half_lengths[end] += 0.5 * segment.rest_length;
+            }
         }
     }
     let loaded = half_lengths.into_iter().enumerate().filter(|(_, length)| *length > 0.0);
@@ -54,7 +59,7 @@ fn along_ropes(
     (!forces.is_empty()).then_some(forces)
 }
 
-/// That no rope is of the class named by `class` below `path`.
+/// The diagnostic that no rope is of `class`, at the key `class` below `path`.
 pub fn unknown_class(document: &Document, path: &Path, class: &str, groups: &[Group]) -> Diagnostic {
     let mut known: Vec<&str> = groups.iter().filter(|g| g.rope.is_some()).map(|g| g.class.name()).collect();
     known.dedup();

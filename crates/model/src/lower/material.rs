@@ -1,4 +1,4 @@
-//! Ropes, canopies and bodies as stiffness, damping and mass: the segments of the system and the masses of its nodes.
+//! Stiffness, damping and mass of ropes, canopies and bodies: the segments of the system and the masses of its nodes.
 
 use netcast_dynamics::forces::bending::Bending;
 use netcast_dynamics::forces::breaking::Breaking;
@@ -13,7 +13,7 @@ use super::draft::Draft;
 use super::members::{Group, Link, Member, Part, PlacedBody, Role, section};
 use super::{canopy_links, rope_law};
 
-/// The links of a web whose segments and groups these are, in the order of the web.
+/// The links of a web, in its order; `members` and `groups` are those of its model.
 pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> Vec<Link> {
     let rings = rings(web);
     let first_pieces = members.iter().filter_map(|member| match member.part {
@@ -30,7 +30,10 @@ pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> V
     first_pieces.map(link).collect()
 }
 
-/// Finds each pair of link class and rope that the web has, in order of class, with the law of the rope.
+/// Finds each pair of link class and rope of the web, in order of class, with the law of the rope.
+///
+/// # Errors
+/// A rope whose law is impossible.
 pub fn groups(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, kinds, groups, .. } = draft;
     let known = assignment::ropes(scenario);
@@ -69,10 +72,10 @@ pub fn canopy_of(scenario: &Scenario, cut: &CutWeb) -> Option<Canopy> {
     (!cut.web.canopies.is_empty()).then(|| scenario.canopy.clone().unwrap_or_default())
 }
 
-/// The number of the group of a class and a rope.
+/// The number of the group of a link class and a rope.
 pub fn group_number(groups: &[Group], class: &Class, rope: Option<&str>) -> usize {
-    let is_it = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
-    groups.iter().position(is_it).expect("every class is listed with its ropes")
+    let is_pair = |group: &Group| group.class == *class && group.rope.as_deref() == rope;
+    groups.iter().position(is_pair).expect("every class is listed with its ropes")
 }
 
 /// Makes the segments of the web's ropes, and puts their masses on its nodes.
@@ -96,7 +99,10 @@ pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Finds where ropes resist bending: at every node inside a rope that has a bending stiffness. Knots turn freely.
+/// Adds a bend at every node inside a rope that has a bending stiffness. Knots turn freely.
+///
+/// # Errors
+/// A bending stiffness that the segments do not allow.
 pub fn bends(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, kinds, parts, .. } = draft;
     let known = assignment::ropes(scenario);
@@ -121,7 +127,7 @@ pub fn bends(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// Puts on the nodes what weighs on them beside ropes and canopies, and binds together what is rigid.
+/// Adds the masses of bodies and of a graph's nodes, and makes the rigid bodies of canopies.
 pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, canopies, bodies, parts, .. } = draft;
     for body in &*bodies {
@@ -136,7 +142,7 @@ pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Lists the materials.
+/// Makes the bill of materials.
 pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { scenario, cut, kinds, bodies, .. } = draft;
     let known = assignment::ropes(scenario);
@@ -163,13 +169,14 @@ pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Puts payloads, sensor and tractors where they sit.
+/// Finds payloads, sensor and tractors with their nodes.
 pub fn place_bodies(draft: &mut Draft) -> Result<(), Diagnostics> {
     let (scenario, web) = (&draft.scenario, &draft.cut.web);
     let on_canopies = web.canopies.iter().filter_map(|canopy| {
-        let (role, solid) = match canopy.carries_payload {
-            true => (Role::Payload, scenario.payload_solid()),
-            false => (Role::Sensor, scenario.sensor_solid().filter(|_| canopy.is_centre)),
+        let (role, solid) = if canopy.carries_payload {
+            (Role::Payload, scenario.payload_solid())
+        } else {
+            (Role::Sensor, scenario.sensor_solid().filter(|_| canopy.is_centre))
         };
         Some(PlacedBody { role, node: canopy.hub, solid: solid?, rigid: None })
     });
@@ -180,13 +187,13 @@ pub fn place_bodies(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Tension as drawn, N. A rope whose rest length is given has the tension that follows from it.
+/// Tension of a rope in the drawing, N. A rope with a given rest length has no pretension unless its row gives one.
 fn pretension(has_rest_length: bool, rope: &Rope, row: Option<&RopeRow>) -> f64 {
     let own = row.and_then(|r| r.pretension_n);
     if has_rest_length { own.unwrap_or(0.0) } else { own.unwrap_or(rope.pretension.si()) }
 }
 
-/// A segment before it has a place.
+/// A segment without its ends.
 struct Piece {
     rest_length: f64,
     stiffness: f64,
@@ -195,8 +202,8 @@ struct Piece {
 }
 
 impl Piece {
-    /// A segment of rope `drawn` metres long under `pretension`, N: its rest length is shorter by the strain that its law
-    /// has there.
+    /// A segment of rope that is `drawn` m long under `pretension`, N. Its rest length is shorter by the strain of its law
+    /// under that tension.
     fn new(rope: &Rope, law: &Law, drawn: f64, pretension: f64) -> Piece {
         let area = section(rope);
         let axial_stiffness = rope.elastic_modulus.si() * area;
@@ -216,7 +223,7 @@ impl Piece {
         Piece { rest_length: made.length, stiffness, damping, mass }
     }
 
-    /// The segment between these nodes; half its mass goes to each.
+    /// The segment between the nodes `ends`. Half of its mass goes to each of them.
     fn between(&self, ends: [usize; 2], class: usize, mass: &mut [f64]) -> Segment {
         for end in ends {
             mass[end] += 0.5 * self.mass;
@@ -226,8 +233,8 @@ impl Piece {
     }
 }
 
-/// Adds the members of all canopies: spokes in three straight lines through the hub, then the sides round the rim, runs as
-/// long as they can be.
+/// Adds the members of all canopies: spokes in three straight lines through the hub, then the sides round the rim. This
+/// order makes the longest possible runs of segments.
 pub fn add_links(
     cut: &CutWeb,
     made: &canopy_links::Members,

@@ -1,4 +1,4 @@
-//! The parts of a web with their names: what a segment, a class number and a body is.
+//! Names of the parts of a web: of segments, class numbers and bodies.
 
 use std::f64::consts::PI;
 
@@ -8,16 +8,16 @@ use netcast_dynamics::system::Segment;
 use netcast_scenario::Rope;
 use netcast_webs::{Class, CutSegment, CutWeb};
 
-/// A segment of the system and what it is a part of.
+/// A segment of the system, and the rope, canopy or thread that it belongs to.
 #[derive(Debug, Clone, Copy)]
 pub struct Member {
-    /// As the system has it.
+    /// The segment of the system.
     pub segment: Segment,
-    /// What it is a part of.
+    /// The rope, canopy or thread that it belongs to.
     pub part: Part,
 }
 
-/// What a segment is a part of; numbers count from 0.
+/// The rope, canopy or thread that a segment belongs to; numbers count from 0.
 #[derive(Debug, Clone, Copy)]
 pub enum Part {
     Rope(CutSegment),
@@ -28,7 +28,7 @@ pub enum Part {
 }
 
 impl Member {
-    /// What a message calls it.
+    /// Its name in messages.
     pub fn label(&self, cut: &CutWeb) -> String {
         let of = |what: &str, number: usize, canopy: usize| {
             format!("{what} {} of canopy {}", number + 1, cut.web.canopies[canopy].number)
@@ -46,7 +46,7 @@ impl Member {
         }
     }
 
-    /// Whether it is a piece of rope.
+    /// Whether it is a segment of a rope.
     pub fn is_rope(&self) -> bool {
         matches!(self.part, Part::Rope(_))
     }
@@ -55,61 +55,61 @@ impl Member {
 /// Segments of one link class that are made of one kind of rope.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
-    /// Their link class.
+    /// The link class.
     pub class: Class,
-    /// The name of their rope, `rope` for the default one; none for members of canopies, ties and stitches.
+    /// The name of the rope, `rope` for the default one; none for members of canopies, ties and stitches.
     pub rope: Option<String>,
-    /// Diameter of the rope, m; none for the members of canopies.
+    /// Diameter of the rope, m; none for members of canopies, ties and stitches.
     pub diameter: Option<f64>,
-    /// Its breaking load, N, where it is given.
+    /// Breaking load of the rope, N; none if it is not given.
     pub strength: Option<f64>,
-    /// The share of its strength that knots take from it, where it is given.
+    /// Share of the strength that a knot costs; none if it is not given.
     pub knot_reduction: Option<f64>,
-    /// By which its tension follows from its stretch.
+    /// The law of the segments.
     pub law: Law,
-    /// What it bears at most away from knots; the weakest of ties and stitches.
+    /// Load and strain at which a segment breaks away from knots; those of the weakest tie or stitch.
     pub breaking: Breaking,
 }
 
 impl Group {
-    /// Segments that are no rope: members of canopies, ties, stitches.
+    /// A group of segments that are not rope: members of canopies, ties, stitches.
     pub(crate) fn of_threads(class: Class, breaking: Breaking) -> Group {
         Group { class, rope: None, diameter: None, strength: None, knot_reduction: None, law: Law::Linear, breaking }
     }
 }
 
-/// What a body is there for.
+/// The purpose of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// Pulls the web out.
     Tractor,
-    /// Is carried.
+    /// A load that the web carries.
     Payload,
-    /// Sits in the middle.
+    /// An instrument in the middle.
     Sensor,
 }
 
 /// A body and the node that it sits on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlacedBody {
-    /// What it is there for.
+    /// Its purpose.
     pub role: Role,
     /// Its node.
     pub node: usize,
     /// Its size and mass.
     pub solid: netcast_scenario::Solid,
-    /// The system's rigid body that it is; none for a mass on a node.
+    /// Its index among the rigid bodies of the system; none for a mass on a node.
     pub rigid: Option<usize>,
 }
 
-/// A rope from knot to knot, as `[assign]` can name it.
+/// A rope from knot to knot under the name that `[assign]` accepts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
     /// Its name.
     pub name: String,
     /// Its link class.
     pub class: Class,
-    /// Its ring, from 1 in the middle, where it is of class `ring`.
+    /// Its ring, from 1 in the middle; none if it is not of class `ring`.
     pub ring: Option<usize>,
     /// The name of its rope, `rope` for the default one.
     pub rope: String,

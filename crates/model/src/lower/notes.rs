@@ -1,4 +1,4 @@
-//! What a user may not have expected of a model.
+//! Notes on properties of a model that a user may not expect.
 
 use glam::DVec3;
 use netcast_dynamics::air::wind::Wind;
@@ -10,7 +10,7 @@ use super::draft::Draft;
 use super::exposure;
 use super::throw::{Throw, Thrown};
 
-/// Adds what is to be said of the model as a whole.
+/// Adds the notes on the model as a whole.
 pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { scenario, cut, throws, state, air, system, falls, notes, .. } = draft;
     let Some((system, _)) = system else { return Ok(()) };
@@ -20,19 +20,19 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     notes.extend(launched_and_held(system, throws));
     let gravity = system.environment().gravity.length();
     notes.extend(exposure::notes(scenario, gravity, air.as_ref(), *falls));
-    notes.extend(ill_begun(system, state));
+    notes.extend(never_moves(system, state));
     Ok(())
 }
 
-/// Tractors that are thrown and stay put.
+/// A note on tractors that are both thrown and held.
 fn launched_and_held(system: &System, throws: &[Option<Throw>]) -> Option<String> {
     let is_both = |throw: &&Throw| system.held()[throw.node] && throw.by != Thrown::At(DVec3::ZERO);
     let (count, all) = (throws.iter().flatten().filter(is_both).count(), throws.len());
     (count > 0).then(|| format!("{count} of {all} tractors are held by [hold] or [drive]: they are not launched"))
 }
 
-/// A net at rest that nothing moves.
-fn ill_begun(system: &System, state: &State) -> Option<String> {
+/// A note that the net is at rest and nothing will move it.
+fn never_moves(system: &System, state: &State) -> Option<String> {
     let still = state.velocity.iter().all(|v| *v == DVec3::ZERO) && system.launchers().is_empty();
     let unloaded = system.environment().gravity == DVec3::ZERO && system.loads().is_empty();
     let calm = system.environment().air.as_ref().is_none_or(|air| air.wind == Wind::none());

@@ -1,4 +1,4 @@
-//! How densely a web is packed, and how near its ropes come to each other.
+//! Density of a packed web, and the clearance between its ropes.
 
 use std::f64::consts::PI;
 
@@ -7,21 +7,21 @@ use netcast_webs::{Class, Closeness, PACKED_FILL, Size, closeness};
 
 use crate::Model;
 
-/// What the start is like beyond its audit.
+/// Figures of the packed web that its audit does not have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Packing {
     /// Mass of the web over the volume of the smallest cylinder about the launch axis that holds its nodes, kg/m^3;
     /// traction ropes and tractors are not counted. None where the web lies flat.
     pub density: Option<f64>,
-    /// Share of that cylinder that ropes, canopies and payloads fill. None where the web lies flat.
+    /// Share of that cylinder's volume that ropes, canopies and payloads fill. None where the web lies flat.
     pub solid_fraction: Option<f64>,
-    /// How near ropes come that are not tied together; places in the world frame. None where too many lie near each
-    /// other to be compared.
+    /// Least distance of ropes that are not tied together; places in the world frame. None where too many ropes lie near
+    /// each other to be compared.
     pub closeness: Option<Closeness>,
 }
 
 impl Model {
-    /// Looks at how the web is packed at the start. Takes up to a few seconds where many ropes lie near each other.
+    /// Figures of the packed web. Takes up to a few seconds where many ropes lie near each other.
     pub fn packing(&self) -> Packing {
         let web = &self.cut.web;
         let is_web = self.cut.is_web();
@@ -40,7 +40,7 @@ impl Model {
         }
     }
 
-    /// Diameter of each of the web's ropes, m.
+    /// Diameter of each rope of the web, m, (ropes,).
     fn rope_diameters(&self) -> Vec<f64> {
         let mut diameters = vec![0.0; self.cut.web.ropes.len()];
         for (segment, member) in self.cut.segments().zip(&self.members) {

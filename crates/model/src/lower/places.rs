@@ -1,23 +1,23 @@
-//! Where in a scenario the number stands that an error of another crate is about.
+//! The key in the scenario that an error of another crate is about.
 
 use netcast_dynamics::forces::element::{ElementError, Property};
 use netcast_scenario::{Stow, Web};
 
-/// The key of an argument that the web is drawn by. Most have the name of their key.
+/// The key of an argument by which the web is drawn. Most arguments have the name of their key.
 pub fn of_web(argument: &str, web: &Web) -> String {
     let key = match (argument, web) {
         ("side", Web::Polygon(polygon)) if polygon.side.is_none() => "diameter",
         ("hanging_ratio", Web::Diamond(net)) if net.hanging_ratio.is_none() => "angle",
         ("every", _) => "gathering.every",
         ("excess", _) => "gathering.excess",
-        // canopies leave too little room in a web that is too small for them
+        // the canopies follow from the web: only its side can make room for them
         ("canopy_side", _) => "side",
         (argument, _) => argument,
     };
     format!("{}.{key}", web.table())
 }
 
-/// The key of what a packing is described by.
+/// The key of an argument of a packing.
 pub fn of_packing(argument: &str, stow: &Stow) -> String {
     let key = match argument {
         "positions" => "path",
@@ -60,8 +60,8 @@ mod tests {
 
     use super::*;
 
-    /// Whether the schema of a scenario has a key at this path.
-    fn is_there(path: &str) -> bool {
+    /// Whether the schema of a scenario has a key at `path`.
+    fn has_key(path: &str) -> bool {
         let (_, key) = path.rsplit_once('.').expect("a path has a table");
         find_key(schema(), key).iter().any(|known| known == path)
     }
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_of_a_web_has_a_key_in_the_table_of_some_kind() {
+    fn every_argument_of_a_web_has_a_key_in_the_table_of_some_kind() {
         let folder = tempfile::tempdir().unwrap();
         let webs: Vec<Web> = TEMPLATES
             .iter()
@@ -83,7 +83,7 @@ mod tests {
                 document(template.scenario, folder.path()).scenario.web
             })
             .collect();
-        // the arguments of the functions of netcast-webs that draw
+        // the arguments of the drawing functions of netcast-webs
         let arguments = [
             "side",
             "diameter",
@@ -104,12 +104,12 @@ mod tests {
         ];
         for argument in arguments {
             let places: Vec<String> = webs.iter().map(|web| of_web(argument, web)).collect();
-            assert!(places.iter().any(|path| is_there(path)), "{argument}: {places:?}");
+            assert!(places.iter().any(|path| has_key(path)), "{argument}: {places:?}");
         }
     }
 
     #[test]
-    fn everything_that_describes_a_packing_has_a_key_in_the_table_of_some_pattern() {
+    fn every_argument_of_a_packing_has_a_key_in_the_table_of_some_pattern() {
         let net = "web.square = { side = 2, mesh = 1 }\nsolve.duration = 1\n\
                    rope = { diameter = 0.001, density = 970, elastic_modulus = 1e9 }\n";
         let folder = tempfile::tempdir().unwrap();
@@ -128,15 +128,15 @@ mod tests {
             ["factor", "radius", "depth", "tractor_radius", "tractor_gap", "container", "positions", "paths"];
         for argument in arguments {
             let places = stows.each_ref().map(|stow| of_packing(argument, stow));
-            assert!(places.iter().any(|path| is_there(path)), "{argument}: {places:?}");
+            assert!(places.iter().any(|path| has_key(path)), "{argument}: {places:?}");
         }
     }
 
     #[test]
     fn every_property_of_a_sheet_has_a_key() {
         for property in Property::ALL {
-            assert!(is_there(of_property(property)), "{property:?}");
+            assert!(has_key(of_property(property)), "{property:?}");
         }
-        assert!(is_there(of_sheet(&ElementError::Repeated { node: 0 })));
+        assert!(has_key(of_sheet(&ElementError::Repeated { node: 0 })));
     }
 }

@@ -4,7 +4,10 @@ use netcast_scenario::{Diagnostics, is_plain};
 
 use super::draft::Draft;
 
-/// Checks the names of feature points, and that the web has their nodes.
+/// Checks the names of feature points and that the web has their nodes.
+///
+/// # Errors
+/// A reserved name, a name with other characters, an unknown node.
 pub fn check(draft: &mut Draft) -> Result<(), Diagnostics> {
     let (document, web) = (draft.document, &draft.cut.web);
     let mut found = Vec::new();

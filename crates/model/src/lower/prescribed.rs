@@ -1,4 +1,4 @@
-//! A web that is led into its container: what is led, along which paths.
+//! A web whose nodes are led along paths into its container.
 
 use glam::DVec3;
 use netcast_scenario::dimension::Dimension;
@@ -10,7 +10,10 @@ use netcast_webs::{CutWeb, DrivenNode, Mouth, Prescribed, StiffPlate};
 
 use super::drives::Drives;
 
-/// The packing of a web whose nodes have `mass`, kg, and whose canopies keep their shape as `plates`.
+/// The packing of a web whose nodes have `mass`, kg, (nodes,), and whose canopies keep their shape as `plates`.
+///
+/// # Errors
+/// A path that cannot be followed, a led node that is not of the web itself.
 pub fn prescribed(
     document: &Document,
     cut: &CutWeb,
@@ -28,8 +31,10 @@ pub fn prescribed(
     Diagnostics::fail_if_any(found)?;
     let is_web = cut.is_web();
     if let Some(drive) = led.iter().find(|drive| !is_web[drive.node]) {
-        let message =
-            format!("{} is no part of the web itself: it is placed when that is packed", cut.node_label(drive.node));
+        let message = format!(
+            "{} is no part of the web itself: it is placed after the web is packed",
+            cut.node_label(drive.node)
+        );
         return Err(document.diagnostic(DRIVES, message).into());
     }
     Ok(Prescribed {
@@ -47,7 +52,7 @@ pub fn prescribed(
     })
 }
 
-/// Paths that do not end within the time that there is for a packing.
+/// Reports points of paths that lie beyond the longest time of a packing.
 fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
     let late = stow.drive.iter().filter_map(|(name, drive)| {
         let path = Path::parse(DRIVES).key(name);
@@ -63,9 +68,10 @@ fn late_points(document: &Document, stow: &PrescribedStow) -> Vec<Diagnostic> {
     late.collect()
 }
 
-/// Where what is led stands.
+/// The table of the led nodes.
 const DRIVES: &str = "stow.prescribed.drive";
 
+/// The place of the tractors above a packed web: radius of their ring and gap to the web, m.
 pub(super) fn mouth<A, B>(tractor_radius: Option<Length<A>>, tractor_gap: Option<Length<B>>) -> Mouth {
     Mouth { tractor_radius: tractor_radius.map(|r| r.si()), tractor_gap: tractor_gap.map(|g| g.si()) }
 }

@@ -1,5 +1,4 @@
-//! What is let go of, and when: tractors from their launchers, the web from under its covers, a sector of it that catches;
-//! and the spin of all that is launched at once.
+//! Release of the net: tractors leave their launchers, covers open, a late sector comes free. Also the spin at the start.
 
 use glam::DVec3;
 use netcast_dynamics::launcher::{Launcher, Means, Tube};
@@ -12,7 +11,7 @@ use super::draft::Draft;
 use super::selection::unknown_knot;
 use super::throw::{Throw, Thrown};
 
-/// Sets the tractors in motion, now or by launchers later, and turns all that spins.
+/// Gives tractors their velocities or launchers, and adds the spin of the whole net.
 pub fn launch(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { scenario, throws, parts, state, frame, falls, .. } = draft;
     throw(throws, parts, state);
@@ -22,7 +21,7 @@ pub fn launch(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Gives each tractor its velocity, or the launcher that will. One that is held stays.
+/// Gives each tractor its velocity, or a launcher that drives it later. A held tractor stays at rest.
 fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut State) {
     for throw in throws.iter_mut().flatten().filter(|throw| !parts.held[throw.node]) {
         let (node, delay, direction) = (throw.node, throw.delay, throw.direction);
@@ -43,7 +42,7 @@ fn throw(throws: &mut [Option<Throw>], parts: &mut SystemParts, state: &mut Stat
     }
 }
 
-/// Lets everything turn about the launch axis through the origin with this angular velocity, rad/s, world frame.
+/// Adds the velocities of a rigid rotation about the origin; `angular_velocity` in rad/s, world frame.
 fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
     if angular_velocity == DVec3::ZERO {
         return;
@@ -56,18 +55,25 @@ fn spin(angular_velocity: DVec3, parts: &SystemParts, state: &mut State) {
     }
 }
 
-/// Holds what lies under covers, and a sector that is late, until the last of them lets go.
+/// Holds nodes under covers and in a late sector. Each starts when the last of its covers opens.
+///
+/// # Errors
+/// An unknown node, or a tractor under a cover.
 pub fn hold_back(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, tractors, notes, parts, state, .. } = draft;
     let mut opens = vec![0.0f64; parts.mass.len()];
     let mut is_web = cut.is_web();
     is_web.resize(parts.mass.len(), true);
-    tractors.iter().for_each(|&node| is_web[node] = false);
+    for &node in &*tractors {
+        is_web[node] = false;
+    }
     let mut found = Vec::new();
     for (index, cover) in scenario.covers.iter().enumerate() {
         let mut put = |node: usize| opens[node] = opens[node].max(cover.opens.si());
         let Some(named) = &cover.nodes else {
-            (0..is_web.len()).filter(|&node| is_web[node]).for_each(put);
+            for node in (0..is_web.len()).filter(|&node| is_web[node]) {
+                put(node);
+            }
             continue;
         };
         for (place, id) in named.iter().enumerate() {
@@ -97,7 +103,7 @@ pub fn hold_back(draft: &mut Draft) -> Result<(), Diagnostics> {
         ));
     }
     for (node, &at) in opens.iter().enumerate() {
-        // what a body carries is where its body is
+        // a node without mass moves with its rigid body
         if at > 0.0 && !parts.held[node] && parts.mass[node] > 0.0 {
             state.velocity[node] = DVec3::ZERO;
             parts.launchers.push(Launcher { node, at, by: Means::Velocity(DVec3::ZERO) });
@@ -106,7 +112,7 @@ pub fn hold_back(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// The sector of the web that stays in its container for a while, and until when, s.
+/// The late sector of the web and the time of its release, s; none if the scenario has none.
 fn late_sector(scenario: &Scenario) -> Option<(Sector, f64)> {
     let imperfection = scenario.stow.as_ref()?.imperfection.as_ref()?;
     let late = imperfection.late_sector.as_ref()?;

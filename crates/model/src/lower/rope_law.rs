@@ -1,4 +1,4 @@
-//! Laws of ropes, and when they break, as the system has them.
+//! The law of a rope, and the load and strain at which it breaks.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::members::section;
 /// The law of the rope whose table is at `path`.
 ///
 /// # Errors
-/// Where its moduli do not fit each other, or it never comes to its pretension.
+/// Moduli that contradict each other, a wrong table, a pretension that the law never reaches.
 pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnostics> {
     let modulus = rope.elastic_modulus.si();
     let law = match &rope.law {
@@ -41,16 +41,15 @@ pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnos
         RopeLaw::Strut(_) => Law::Strut,
     };
     let pretension = rope.pretension.si();
-    match law.strain_under(pretension, modulus * section(rope)).is_finite() {
-        true => Ok(law),
-        false => {
-            let message = format!("by its law this rope never comes to {pretension} N");
-            Err(document.diagnostic(&path.key("pretension").to_string(), message).into())
-        }
+    if law.strain_under(pretension, modulus * section(rope)).is_finite() {
+        Ok(law)
+    } else {
+        let message = format!("the law of this rope never reaches {pretension} N");
+        Err(document.diagnostic(&path.key("pretension").to_string(), message).into())
     }
 }
 
-/// What a segment of `rope` bears at most; `knotted` where it meets a knot.
+/// Load, N, and strain at which a segment of `rope` breaks; `knotted` says that it ends at a knot.
 pub fn breaking(rope: &Rope, knotted: bool) -> Breaking {
     let Some(breaking) = rope.breaking else { return Breaking::NEVER };
     let left = rope.knot_reduction.filter(|_| knotted).map_or(1.0, |share| 1.0 - share.si());

@@ -1,4 +1,4 @@
-//! Chance: how a tractor's launch differs from what was meant.
+//! Scatter: random deviations of a tractor's launch from the intended one.
 
 use std::f64::consts::TAU;
 
@@ -8,19 +8,20 @@ use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// What chance adds to one tractor's launch.
+/// Random deviations of one tractor's launch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Chance {
-    /// To its speed, as a share of it.
+    /// Deviation of its speed, as a share of it.
     pub speed: f64,
-    /// To its direction along two axes across it, rad.
+    /// Deviation of its direction along two axes across it, rad.
     angle: [f64; 2],
-    /// To its delay, s.
+    /// Deviation of its delay, s.
     pub delay: f64,
 }
 
 impl Chance {
-    /// Of the tractor at a corner, from 1. Each tractor has a stream of its own, so that one more changes none.
+    /// Deviations of the tractor at `corner`, from 1. Each tractor has a random stream of its own: another tractor does not
+    /// change it.
     pub fn of(scatter: &Scatter, corner: u32) -> Chance {
         let mut source = ChaCha8Rng::seed_from_u64(scatter.seed.into());
         source.set_stream(corner.into());
@@ -35,7 +36,7 @@ impl Chance {
         }
     }
 
-    /// A direction, turned by its angles.
+    /// `direction`, a unit vector or zero, turned by the deviation.
     pub fn turned(&self, direction: DVec3) -> DVec3 {
         let [a, b] = self.angle;
         let angle = (a * a + b * b).sqrt();
@@ -48,8 +49,8 @@ impl Chance {
     }
 }
 
-/// Two normally distributed numbers of mean 0 and deviation 1 (Box and Muller, Ann. Math. Stat. 29, 1958), by `libm`
-/// where a library's own would take the machine's logarithm.
+/// Two independent normally distributed numbers of mean 0 and deviation 1 (Box and Muller, Ann. Math. Stat. 29, 1958).
+/// Uses `libm`: a library's distribution would use the logarithm of the machine.
 fn normal_pair(source: &mut ChaCha8Rng) -> [f64; 2] {
     let radius = (-2.0 * libm::log(uniform_above_zero(source))).sqrt();
     let (sin, cos) = libm::sincos(TAU * uniform_above_zero(source));
@@ -84,14 +85,14 @@ mod tests {
     }
 
     #[test]
-    fn a_seed_gives_the_same_and_another_seed_or_tractor_another() {
+    fn one_seed_repeats_the_scatter_and_another_seed_or_tractor_changes_it() {
         assert_eq!(Chance::of(&scatter(1), 3), Chance::of(&scatter(1), 3));
         assert_ne!(Chance::of(&scatter(1), 3), Chance::of(&scatter(2), 3));
         assert_ne!(Chance::of(&scatter(1), 3), Chance::of(&scatter(1), 4));
     }
 
     #[test]
-    fn a_direction_is_turned_by_the_angle_between() {
+    fn a_direction_is_turned_by_the_length_of_both_angles() {
         let chance = Chance { angle: [0.03, -0.04], ..Chance::default() };
         let direction = DVec3::new(0.6, 0.0, 0.8);
         assert!((chance.turned(direction).angle_between(direction) - 0.05).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! Which nodes a load or a drive acts on, are tied, or stay put.
+//! Selections of nodes: for loads, drives and ties, and the nodes that are held.
 
 use netcast_scenario::path::Path;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Selection, nearest};
@@ -6,7 +6,10 @@ use netcast_webs::CutWeb;
 
 use super::draft::Draft;
 
-/// The nodes that are meant, each once, ascending. What is named wrongly stands below `path`.
+/// The nodes of a selection, each once, ascending.
+///
+/// # Errors
+/// Names that the web does not have, each at its key below `path`.
 pub fn resolve(
     selection: &Selection,
     document: &Document,
@@ -46,7 +49,10 @@ pub fn resolve(
     Ok(nodes)
 }
 
-/// Finds the nodes that stay put: `[hold]` and what a graph's file says.
+/// Finds the held nodes, from `[hold]` and from a graph's file.
+///
+/// # Errors
+/// An unknown node, or a node of a rigid body.
 pub fn hold(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, canopies, parts, .. } = draft;
     let (bound, held) = (&canopies.bound, &mut parts.held);
@@ -78,7 +84,7 @@ pub fn hold(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// That there is no knot `id`, with the nearest that there is.
+/// The diagnostic that there is no knot `id`, with the nearest name as help.
 pub fn unknown_knot(document: &Document, path: &str, id: &str, cut: &CutWeb) -> Diagnostic {
     let known: Vec<&str> = cut.web.knots.iter().map(|k| &k.name[..]).collect();
     let diagnostic = document.diagnostic(path, format!("unknown node {id:?}"));

@@ -1,19 +1,19 @@
-//! How much memory a run takes, estimated before anything large is made.
+//! Estimate of the memory that a run takes, made before anything large is allocated.
 //!
-//! The figures per item are peaks of whole runs, measured with some to spare. A test of the command holds them to runs
-//! that may take no more than this.
+//! The bytes per item are measured peaks of whole runs, rounded up. A test of the command line runs with no more memory
+//! than this estimate.
 
 use netcast_scenario::{Canopy, Diagnostics, Document, GraphFiles, Scenario, available_memory, bytes_in_words};
 use netcast_webs::{MOST_SEGMENTS, Web};
 
-/// The most rows that a history may have, and the most steps that a run may take: beyond, something is mistyped.
+/// The most rows of a history. A larger number is a typing error.
 pub const MOST_ROWS: f64 = 1e7;
 
-/// Bytes of a run for each knot with its name, each rope with its label, and each segment with its node.
+/// Bytes of a run for each knot with its name, rope with its label, and segment with its node.
 const KNOT: f64 = 500.0;
 const ROPE: f64 = 400.0;
 const SEGMENT: f64 = 700.0;
-/// And for each triangle of a sheet with its hinges and its share of a node.
+/// Bytes for each triangle of a sheet with its hinges and its share of a node.
 const TRIANGLE: f64 = 2500.0;
 
 /// Copies of the recorded fields in memory while their file and the report are written.
@@ -22,14 +22,14 @@ const COPIES: f64 = 2.5;
 /// Bytes of a row of the history.
 const ROW: f64 = 1500.0;
 
-/// What a run's memory grows with.
+/// Numbers that the memory of a run grows with.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Size {
     /// Knots of the web.
     knots: f64,
-    /// Its ropes.
+    /// Ropes of the web.
     ropes: f64,
-    /// Segments that they are cut into.
+    /// Segments of the ropes.
     segments: f64,
     /// Triangles of sheets.
     triangles: f64,
@@ -40,13 +40,13 @@ pub(super) struct Size {
 }
 
 impl Size {
-    /// That of a graph before it is drawn: at least a segment a rope.
+    /// The size of a graph before it is drawn, with at least one segment a rope.
     pub(super) fn of_graph(files: &GraphFiles) -> Self {
         let (knots, ropes) = (files.nodes.len() as f64, files.ropes.len() as f64);
         Self { knots, ropes, segments: ropes, ..Self::default() }
     }
 
-    /// That of a web before it is cut into segments of this length, m.
+    /// The size of a web before it is cut into segments of `segment_length`, m.
     pub(super) fn of_web(web: &Web, segment_length: f64) -> Self {
         let cut = web.ropes.iter().map(|rope| match rope.segments {
             Some(segments) => segments as f64,
@@ -55,14 +55,14 @@ impl Size {
         Self { knots: web.knots.len() as f64, ropes: web.ropes.len() as f64, segments: cut.sum(), ..Self::default() }
     }
 
-    /// With the sheets of its canopies.
+    /// The size with the sheets of its canopies.
     pub(super) fn with_sheets(self, web: &Web, canopy: Option<&Canopy>) -> Self {
         let Some(Canopy::Membrane(sheet)) = canopy else { return self };
         let fineness = f64::from(sheet.fineness.get());
         Self { triangles: web.canopies.len() as f64 * 6.0 * fineness * fineness, ..self }
     }
 
-    /// With what is recorded of it.
+    /// The size with the rows and frames that are recorded.
     pub(super) fn recorded(self, scenario: &Scenario) -> Self {
         let (duration, record) = (scenario.solve.run_time().unwrap_or(0.0), &scenario.record);
         let frames =
@@ -70,9 +70,9 @@ impl Size {
         Self { rows: duration / record.every.si(), frames: frames + 1.0, ..self }
     }
 
-    /// Bytes that a run takes.
+    /// Memory that a run takes, bytes.
     fn bytes(&self) -> f64 {
-        // two triangles to a node inside a sheet
+        // a sheet has two triangles for each node inside it
         let nodes = (self.knots + self.segments - self.ropes).max(0.0) + 0.5 * self.triangles;
         // positions, velocities, tensions
         let frame = (6.0 * nodes + self.segments + self.triangles) * size_of::<f64>() as f64;
@@ -80,8 +80,10 @@ impl Size {
         web + ROW * self.rows + COPIES * frame * self.frames
     }
 
-    /// That the machine has the memory; the refusal stands at `path`. What is beyond every machine is refused elsewhere,
-    /// with its own bounds.
+    /// Checks that the machine has the memory. Sizes beyond every machine are refused elsewhere, by bounds of their own.
+    ///
+    /// # Errors
+    /// Too little memory, reported at `path`.
     pub(super) fn require(&self, document: &Document, path: &str, help: &str) -> Result<(), Diagnostics> {
         let Self { knots, ropes, segments, triangles, rows, frames } = self;
         let (needed, Some(available)) = (self.bytes(), available_memory()) else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! How large a step may be, what sets it, and whether a run of such steps will end.
+//! The size of a step, the part that limits it, and whether the number of steps is affordable.
 
 use netcast_dynamics::step_size::{StepLimit, Stiff};
 use netcast_dynamics::system::{Segment, System};
@@ -13,24 +13,26 @@ use super::size::MOST_ROWS;
 
 use crate::Model;
 
-/// Beyond, a step resolves the waves in a segment too poorly for tensions to be read, however the energy closes.
+/// Largest share of the stability limit. A larger step resolves the waves in a segment too poorly for tensions to be read,
+/// even if the energy balance closes.
 const LARGEST_FRACTION: f64 = 0.6;
 
-/// The share of the tolerance that is aimed at: a net of 30,000 segments closes two and a half times worse than the law.
+/// Intended closure over the tolerance. A net of 30,000 segments closes two and a half times worse than the fitted law.
 const AIM: f64 = 0.35;
 
-/// How much larger a step must become for it to be worth a word.
+/// Least factor of a larger step that is worth a message.
 const NOTABLE: f64 = 1.3;
 
+/// The most steps of a run. A larger number is a typing error.
 const MOST_STEPS: f64 = 1e12;
 
 impl Model {
-    /// The largest step that is wanted, s: the scenario's share of the stable one.
+    /// The largest step, s: the share of the stability limit that the scenario asks for.
     pub fn largest_dt(&self) -> f64 {
         self.scenario.solve.step_fraction.expect("it was chosen").si() * self.limit.dt
     }
 
-    /// What would allow a larger step, in words; none where nothing bounds it.
+    /// The change that would allow a larger step, in words; none if nothing limits the step.
     pub fn step_lift(&self) -> Option<String> {
         let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
         let what = match stiffest? {
@@ -59,21 +61,20 @@ impl Model {
         })
     }
 
-    /// What sets the step, in words; none where nothing bounds it.
+    /// The part of the net that limits the step, in words; none if nothing limits it.
     pub fn limited_by(&self) -> Option<String> {
         limited_by(&self.limit, &self.cut, &self.members)
     }
 }
 
-/// The share of the stability limit at which a web's energy balance closes to what is asked, with room to
-/// spare; where the scenario does not give the share itself.
+/// The default share of the stability limit: the energy balance closes within its tolerances, with room to spare.
 ///
-/// From runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md): the closure grows with the
-/// power 3.5 of the share; at a quarter of the limit it is 0.69 % without damping, falling as 1 / (1 + ratio / 0.0055), and
-/// the closure of the web 1.01 %, falling as 1 / (1 + ratio / 0.0123).
+/// The law was fitted to runs of a thrown net at several steps and damping ratios (docs/theory/step-size.md). The closure
+/// grows with the power 3.5 of the share. At a quarter of the limit it is 0.69 % without damping and falls as
+/// 1 / (1 + ratio / 0.0055); the closure of the web alone is 1.01 % and falls as 1 / (1 + ratio / 0.0123).
 fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
     let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
-    // a few threads that are gone soon lose nothing, and gain little
+    // ties and stitches have no damping, but they are few and break soon
     let lasting = system.segments().iter().filter(|s| !groups[s.class].class.is_made_to_break());
     let ratio = lasting.map(least).fold(f64::INFINITY, f64::min);
     let share = |asked: f64, undamped: f64, halved_at: f64| {
@@ -85,24 +86,27 @@ fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &S
     two_digits(all.min(web).clamp(0.01, LARGEST_FRACTION))
 }
 
-/// A segment's damping, N s/m, as a share of its own critical damping, from what it is at the stability limit `dt` of a
-/// rope of such segments, `stiffness` N/m: c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
+/// Damping ratio of a segment from its `damping` c, N s/m, its `stiffness` k, N/m, and the stability limit `dt`, s, of a
+/// rope of such segments. It solves c / (k dt) = 2 ratio (4 ratio + sqrt(16 ratio^2 + 1)).
 fn damping_ratio(damping: f64, stiffness: f64, dt: f64) -> f64 {
     let at_limit = damping / (stiffness * dt);
     0.5 * at_limit / (1.0 + 4.0 * at_limit).sqrt()
 }
 
-/// Chooses how large the step is, where the scenario leaves that out, and checks that the run will end.
+/// Chooses the size of the step, if the scenario does not, and checks that the run is affordable.
+///
+/// # Errors
+/// Too many records or too many steps.
 pub fn choose(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, groups, members, system, .. } = draft;
     let Some((system, limit)) = system else { return Ok(()) };
     let chosen = step_fraction(system, groups, limit, &scenario.solve);
     scenario.solve.step_fraction.get_or_insert(Number::constant(chosen));
-    affordable(document, scenario, limit, cut, members)
+    require_affordable(document, scenario, limit, cut, members)
 }
 
-/// That the run will end.
-fn affordable(
+/// Checks the number of records and of steps.
+fn require_affordable(
     document: &Document,
     scenario: &Scenario,
     limit: &StepLimit,
@@ -119,15 +123,15 @@ fn affordable(
     }
     if steps > MOST_STEPS || steps.is_nan() {
         let what = limited_by(limit, cut, members).unwrap_or("the step".into());
-        let message = format!("{steps:.3e} steps of {largest_dt:.3e} s are too many; {what} asks for such a step");
+        let message = format!("{steps:.3e} steps of {largest_dt:.3e} s are too many; {what} limits the step");
         found.push(document.diagnostic("solve.duration", message));
     }
     Diagnostics::fail_if_any(found)
 }
 
-/// What sets the step, in words.
+/// The part of the net that limits the step, in words; none if nothing limits it.
 fn limited_by(limit: &StepLimit, cut: &CutWeb, members: &[Member]) -> Option<String> {
-    // a rigid body's centre is no node of the web
+    // the centre of a tractor is not a node of the drawn web
     let place = if limit.node < cut.nodes.len() { cut.node_label(limit.node) } else { "a rigid body".to_owned() };
     let at = |what: &str| format!("{what} at {place}");
     Some(match limit.stiffest? {

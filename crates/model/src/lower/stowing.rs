@@ -1,4 +1,4 @@
-//! Where the nodes lie at launch, in the launch frame, and the audit of that.
+//! Packs the web: positions of the nodes at launch, in the launch frame, and their audit.
 
 use glam::{DMat3, DVec3};
 use netcast_dynamics::forces::element::Element;
@@ -21,13 +21,13 @@ use super::draft::Draft;
 use super::places;
 use super::prescribed::{mouth, prescribed};
 
-/// Where everything is at launch, in the launch frame.
+/// The packed web in the launch frame.
 struct Stowed {
-    /// Positions of all nodes, m.
+    /// Positions of all nodes, m, (nodes,).
     positions: Vec<DVec3>,
-    /// The canopies that keep their shape, and how each is turned against the flat web.
+    /// The canopies that keep their shape, each with its rotation from the flat web.
     turns: Vec<(usize, DMat3)>,
-    /// How it came to rest, in words, where it had to.
+    /// How a led web came to rest, in words; none for any other packing.
     settled: Option<String>,
 }
 
@@ -37,10 +37,10 @@ impl Stowed {
     }
 }
 
-/// Packs the web. Canopies that keep their shape lie in it as plates, cloth follows the ropes.
+/// Packs the web. Canopies that keep their shape lie in it as plates; cloth follows the ropes.
 ///
 /// # Errors
-/// A packing that cannot be. None is told where the web is to be led into a container and its masses are not known.
+/// A packing that is impossible. The list is empty where a led web lacks its masses: another stage has reported why.
 pub fn stow(draft: &mut Draft) -> Result<(), Diagnostics> {
     let no_canopies = Canopies::default();
     let knows_masses = draft.has(Stage::Masses);
@@ -70,7 +70,7 @@ pub fn stow(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// The pattern of a packing that is drawn, not led.
+/// The pattern of a packing whose nodes are not led along paths.
 fn pattern(document: &Document, cut: &CutWeb, stow: &Stow) -> Result<Pattern, Diagnostics> {
     Ok(match stow {
         Stow::Scale(scale) => Pattern::Scale(Scale { factor: scale.factor.si() }),
@@ -79,10 +79,10 @@ fn pattern(document: &Document, cut: &CutWeb, stow: &Stow) -> Result<Pattern, Di
             depth: bag.depth.map(|d| d.si()),
             mouth: mouth(bag.tractor_radius, bag.tractor_gap),
         }),
-        Stow::Prescribed(_) => unreachable!("what is led has no pattern"),
+        Stow::Prescribed(_) => unreachable!("a led web has no pattern"),
         Stow::File(_) => {
             let rows = document.files.stowed.as_ref().expect("a document with a stow file has read it");
-            Pattern::Given(Given { positions: given(document, cut, rows)? })
+            Pattern::Given(Given { positions: given_positions(document, cut, rows)? })
         }
         Stow::Zigzag(zigzag) => {
             let folding = match zigzag.along {
@@ -119,7 +119,7 @@ fn pack(
         .pack_imperfectly(cut, imperfection)
         .map_err(|error| document.diagnostic(&places::of_packing(error.argument(), stow), error.to_string()))?;
     match &pattern {
-        Pattern::Given(given) => fit(document, cut, canopies, given, positions),
+        Pattern::Given(given) => fit_canopies(document, cut, canopies, given, positions),
         Pattern::Folded(_) => {
             let plates = canopies.laid_in_folds();
             let turns = StiffPlate::lay_in_folds(&plates, cut, &mut positions);
@@ -132,8 +132,8 @@ fn pack(
     }
 }
 
-/// Canopies where a file has their middles and corners.
-fn fit(
+/// The packing of a file. Canopies lie where the file places their middles and corners.
+fn fit_canopies(
     document: &Document,
     cut: &CutWeb,
     canopies: &Canopies,
@@ -161,7 +161,7 @@ fn fit(
     Ok(Stowed::new(positions, &canopies.plates, turns))
 }
 
-/// The web led into its container.
+/// The web after its nodes were led into the container and it came to rest.
 fn settle(
     draft: &Draft,
     stow: &Stow,
@@ -179,6 +179,7 @@ fn settle(
     Ok(Stowed { settled: Some(settled), ..Stowed::new(positions, &packing.plates, turns) })
 }
 
+/// The pattern that folds the web into a container, `spacing` apart.
 fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mouth: Mouth) -> Pattern {
     let container = match room {
         Room::Cylinder(tube) => Container::Cylinder { radius: tube.radius.si(), height: tube.height.si() },
@@ -191,8 +192,9 @@ fn folded(folding: Folding, room: &Room, spacing: Option<Length<Positive>>, mout
     Pattern::Folded(Folded { folding, container, spacing, mouth })
 }
 
-/// The rows of a stow file by node. Ids are those of knots, or a node's label, as `netcast stow --write` gives them.
-fn given(document: &Document, cut: &CutWeb, rows: &[StowRow]) -> Result<Vec<Option<DVec3>>, Diagnostics> {
+/// Position of each node in a stow file, launch frame, m, (nodes,); none if the file omits it. A row names a knot or the
+/// label of a node, as `netcast stow --write` does.
+fn given_positions(document: &Document, cut: &CutWeb, rows: &[StowRow]) -> Result<Vec<Option<DVec3>>, Diagnostics> {
     let ids: std::collections::BTreeMap<String, usize> = (0..cut.nodes.len()).map(|n| (node_id(cut, n), n)).collect();
     let mut positions = vec![None; cut.nodes.len()];
     let mut found = Vec::new();
@@ -210,18 +212,18 @@ fn given(document: &Document, cut: &CutWeb, rows: &[StowRow]) -> Result<Vec<Opti
     Ok(positions)
 }
 
-/// What a stow file calls a node: a knot by its name, a node inside a rope by its label.
+/// The name of a node in a stow file: the name of a knot, the label of any other node.
 pub fn node_id(cut: &CutWeb, node: usize) -> String {
     cut.web.knots.get(node).map_or_else(|| cut.node_label(node), |knot| knot.name.clone())
 }
 
-/// Puts the nodes of a sheet that no file names where they lie between its middle and its corners.
+/// Interpolates the nodes of a sheet that the file omits between its middle and its corners.
 fn spread(sheet: &CutSheet, given: &Given, flat: &[DVec3], positions: &mut [DVec3]) {
     let hub = sheet.nodes[0];
     let corners = sheet.corners;
     for &node in sheet.nodes.iter().filter(|&&node| given.positions[node].is_none()) {
         let place = flat[node] - flat[hub];
-        // the sector that it lies in: the one where both shares are positive, or nothing but rounding
+        // the node lies in the sector where both shares are positive, apart from rounding
         let shares = (0..6).map(|k| {
             let [a, b] = [k, (k + 1) % 6].map(|k| flat[corners[k]] - flat[hub]);
             let area = a.truncate().perp_dot(b.truncate());
@@ -237,11 +239,13 @@ fn spread(sheet: &CutSheet, given: &Given, flat: &[DVec3], positions: &mut [DVec
     }
 }
 
-/// A stress that rounding explains, as a share of the elastic modulus.
+/// Stress over elastic modulus that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Looks the start over. A web that is stowed may not be stretched, nor its struts compressed; one that starts as drawn
-/// may.
+/// Audits the packed web. A web that starts as drawn may be stretched.
+///
+/// # Errors
+/// A packing that stretches a rope or a sheet, or that compresses a strut.
 pub fn audit(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, members, groups, canopies, stowed, .. } = draft;
     let segments = members.iter().map(|m| {
@@ -279,7 +283,7 @@ pub fn audit(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// That a packing, at `path`, stretches a sheet.
+/// The diagnostic, at `path`, that a packing stretches a sheet; none if it does not.
 fn stretched_cloth(
     document: &Document,
     path: &str,

@@ -1,4 +1,4 @@
-//! The system: what the stages have made, put together and checked.
+//! Assembles the parts of the system from the results of the stages, and builds the system.
 
 use glam::{DQuat, DVec3};
 use netcast_dynamics::channel::Channel;
@@ -14,7 +14,7 @@ use super::binding::Bound;
 use super::draft::Draft;
 use super::launch;
 
-/// Makes segments, canopies, their motion and what surrounds them parts of the system.
+/// Collects segments, canopies, environment and initial velocities as parts of the system.
 pub fn assemble(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, scenario, cut, frame, groups, members, canopies, turns, parts, state, .. } = draft;
     parts.tractor = vec![false; cut.nodes.len()];
@@ -27,7 +27,7 @@ pub fn assemble(draft: &mut Draft) -> Result<(), Diagnostics> {
     parts.hinges = std::mem::take(&mut canopies.hinges);
     parts.bodies = canopies.bound.iter().map(|bound| bound.body.clone()).collect();
     parts.environment = Environment {
-        // 0 - g, for the sign of a zero
+        // 0 - g: without gravity this is +0, not -0
         gravity: DVec3::new(0.0, 0.0, 0.0 - scenario.environment.gravity.si()),
         mass_damping: scenario.environment.damping.si(),
         orbit: scenario.environment.orbit.as_ref().map(orbit_of),
@@ -42,21 +42,24 @@ pub fn assemble(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// The muzzle is on the orbit; z points away from the planet, x the way of the orbit.
+/// The orbit of the muzzle. World z points away from the planet, x along the orbit.
 fn orbit_of(asked: &WrittenOrbit) -> Orbit {
     let by_altitude = || asked.altitude.map_or(0.0, |altitude| orbit::mean_motion(altitude.si()));
     let mean_motion = asked.mean_motion.map_or_else(by_altitude, |rate| rate.si());
     Orbit { mean_motion, radial: DVec3::Z, along: DVec3::X }
 }
 
-/// Builds the system of its parts.
+/// Builds the system from its parts.
+///
+/// # Errors
+/// Parts that contradict each other or have impossible values.
 pub fn build(draft: &mut Draft) -> Result<(), Diagnostics> {
     let parts = std::mem::take(&mut draft.parts);
     draft.mass = parts.mass.iter().sum();
     let system = parts
         .build()
         .map_err(|error| Diagnostics::from(draft.document.diagnostic(&place_of(&error, draft), error.to_string())))?;
-    // the packing knows nothing of laws, nor of elements
+    // the audit of the packing knows neither laws nor elements
     let stored_energy = Ledger::at_start(&system, &draft.state)[Channel::Elastic];
     draft.audit = draft.audit.take().map(|audit| Audit { stored_energy, ..audit });
     let limit = step_limit(&system);

@@ -1,4 +1,4 @@
-//! How a tractor is thrown, and the frame in which it is.
+//! How a tractor is thrown, and the launch frame.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -6,51 +6,51 @@ use glam::{DMat3, DVec3};
 use netcast_dynamics::launcher::Push;
 use netcast_scenario::{Launch, Scenario};
 
-/// How one tractor is thrown: as the scenario says, and as chance has it.
+/// How one tractor is thrown, with its scatter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Throw {
     /// The corner that it is tied to, from 1.
     pub corner: u32,
-    /// Its node; a rigid body's centre.
+    /// Its node; the centre of a tractor that is a rigid body.
     pub node: usize,
-    /// How long it stays where it is, s.
+    /// Time until it starts, s.
     pub delay: f64,
-    /// The way it goes, a unit vector in the world frame; the launch axis where it goes nowhere.
+    /// Direction of its flight, a unit vector in the world frame; the launch axis for a tractor at rest.
     pub direction: DVec3,
-    /// What sets it in motion.
+    /// The cause of its motion.
     pub by: Thrown,
-    /// Its launcher in the system; none where it is thrown at the start.
+    /// Its launcher in the system; none where it has its velocity from the start.
     pub launcher: Option<usize>,
 }
 
 impl Throw {
-    /// The angle between its way and the launch axis, rad.
+    /// The angle between its direction and the launch axis, rad.
     pub fn angle_to(&self, axis: DVec3) -> f64 {
         libm::atan2(self.direction.cross(axis).length(), self.direction.dot(axis))
     }
 }
 
-/// What sets a tractor in motion.
+/// The cause of a tractor's motion.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Thrown {
-    /// It has this velocity, m/s, world frame.
+    /// It starts with this velocity, m/s, world frame.
     At(DVec3),
-    /// A force, along so many metres of tube.
+    /// A force drives it through a tube.
     From {
-        /// The length of its way, m.
+        /// The stroke of the tube, m.
         stroke: f64,
-        /// The force.
+        /// The force along the stroke or over time.
         push: Push,
     },
 }
 
-/// Turns the launch frame to the world: z to (azimuth, elevation).
+/// Rotation from the launch frame to the world frame: z to the launch axis. The identity without a launch.
 pub fn frame(scenario: &Scenario) -> DMat3 {
-    turned(&scenario.launch.clone().unwrap_or_default())
+    launch_frame(&scenario.launch.clone().unwrap_or_default())
 }
 
-/// First about y by the angle from the vertical, then about z by the azimuth.
-pub(super) fn turned(launch: &Launch) -> DMat3 {
+/// Rotation first about y by the angle from the vertical, then about z by the azimuth.
+pub(super) fn launch_frame(launch: &Launch) -> DMat3 {
     let tilt = FRAC_PI_2 - launch.elevation.si();
     let azimuth = launch.azimuth.si();
     let (ct, st) = (libm::cos(tilt), libm::sin(tilt));

@@ -1,7 +1,7 @@
-//! Break ties and tear stitches: segments of classes of their own, beside those of the web.
+//! Break ties and stitches: segments of two classes of their own, added to those of the web.
 //!
-//! They weigh nothing, are no ropes and join nothing in the drawing: a web's bill, its pieces and its tensions are what
-//! they are without them. What is tied to a place is tied to a node of its own that is held there.
+//! They have no mass, are not ropes and are not in the drawing: they change neither the bill of the web nor its pieces. A
+//! node that is tied to its place is tied to a new, held node there.
 
 use std::cmp::{Ordering, Reverse};
 use std::collections::{BTreeSet, BinaryHeap};
@@ -22,18 +22,23 @@ use super::loads::unknown_class;
 use super::members::{Group, Member, Part};
 use super::selection::{resolve, unknown_knot};
 
-/// The least length of a thread that is as long as what it spans, m.
+/// Least default length of a thread, m.
 const SHORTEST: f64 = 0.01;
 
-/// By how much a span may exceed a thread's length before it is said to, as a share: rounding.
+/// Share of its length by which a thread may be stretched at the start: rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Adds the ties and stitches of a scenario to a web that lies as it is stowed.
+/// Adds the ties and stitches of a scenario to the stowed web.
+///
+/// # Errors
+/// Unknown names, a tie between held nodes, a thread shorter than its span.
 pub fn tie(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { document, cut, scenario, members, groups, parts, state, .. } = draft;
     let mut found = Vec::new();
     let mut rests = parts.held.clone();
-    parts.drives.iter().for_each(|drive| rests[drive.node] = false);
+    for drive in &parts.drives {
+        rests[drive.node] = false;
+    }
     let ties = break_ties(document, cut, scenario, &mut found);
     let stitches = stitches(document, cut, scenario, groups, &state.position, &mut found);
     for (class, threads) in [(Class::Tie, ties), (Class::Stitch, stitches)] {
@@ -45,10 +50,7 @@ pub fn tie(draft: &mut Draft) -> Result<(), Diagnostics> {
                 found.push(document.diagnostic(&thread.path, message));
                 continue;
             }
-            let ends = match thread.ends == [node; 2] {
-                true => [node, place(node, parts, state)],
-                false => thread.ends,
-            };
+            let ends = if thread.ends == [node; 2] { [node, add_anchor(node, parts, state)] } else { thread.ends };
             match thread.segment(ends, &state.position, groups.len()) {
                 Ok(segment) => {
                     parts.segments.push(segment);
@@ -66,8 +68,8 @@ pub fn tie(draft: &mut Draft) -> Result<(), Diagnostics> {
     Diagnostics::fail_if_any(found)
 }
 
-/// A node that is held where `node` is.
-fn place(node: usize, parts: &mut SystemParts, state: &mut State) -> usize {
+/// Adds a held node without mass at the place of `node`, and returns it.
+fn add_anchor(node: usize, parts: &mut SystemParts, state: &mut State) -> usize {
     parts.mass.push(0.0);
     parts.held.push(true);
     parts.tractor.push(false);
@@ -76,44 +78,56 @@ fn place(node: usize, parts: &mut SystemParts, state: &mut State) -> usize {
     parts.mass.len() - 1
 }
 
-/// What holds until it breaks.
-struct Thread {
-    part: Part,
-    /// What says so.
-    path: String,
-    /// The nodes that it joins; twice the same where it is one that is tied to its place.
-    ends: [usize; 2],
+/// Load and strain at which a thread breaks.
+#[derive(Clone, Copy)]
+struct Rupture {
+    /// N.
     load: f64,
     strain: f64,
+}
+
+impl Rupture {
+    fn new(load: Force<Positive>, strain: Number<Positive>) -> Rupture {
+        Rupture { load: load.si(), strain: strain.si() }
+    }
+}
+
+/// A break tie or a stitch.
+struct Thread {
+    part: Part,
+    /// Its path in the scenario.
+    path: String,
+    /// The nodes that it joins; twice the same for a node that is tied to its place.
+    ends: [usize; 2],
+    rupture: Rupture,
+    /// Its length, m; by default that of its span.
     length: Option<f64>,
 }
 
 impl Thread {
-    fn new(
-        part: Part,
-        path: &Path,
-        ends: [usize; 2],
-        (load, strain): (Force<Positive>, Number<Positive>),
-        length: Option<Length<Positive>>,
-    ) -> Thread {
+    fn new(part: Part, path: &Path, ends: [usize; 2], rupture: Rupture, length: Option<Length<Positive>>) -> Thread {
         let length = length.map(|length| length.si());
-        Thread { part, path: path.to_string(), ends, load: load.si(), strain: strain.si(), length }
+        Thread { part, path: path.to_string(), ends, rupture, length }
     }
 
-    /// The segment between `ends`, which lie at `position`, m; or why there is none.
+    /// The segment between `ends`; `position` of all nodes in m.
+    ///
+    /// # Errors
+    /// A span longer than the thread, in words.
     fn segment(&self, ends: [usize; 2], position: &[DVec3], class: usize) -> Result<Segment, String> {
         let span = position[ends[0]].distance(position[ends[1]]);
         let rest_length = self.length.unwrap_or(span.max(SHORTEST));
         if span > rest_length * (1.0 + ROUNDING) {
-            return Err(format!("what it ties lies {span:.4} m apart, which is more than its length, {rest_length} m"));
+            return Err(format!("its ends lie {span:.4} m apart, more than its length, {rest_length} m"));
         }
-        let stiffness = self.load / (self.strain * rest_length);
-        let breaking = Breaking { load: self.load, ..Breaking::NEVER };
+        let Rupture { load, strain } = self.rupture;
+        let stiffness = load / (strain * rest_length);
+        let breaking = Breaking { load, ..Breaking::NEVER };
         Ok(Segment { ends, rest_length, stiffness, damping: 0.0, class, breaking })
     }
 }
 
-/// The break ties of a scenario, numbered in its order.
+/// The break ties in the order of the scenario.
 fn break_ties(document: &Document, cut: &CutWeb, scenario: &Scenario, found: &mut Vec<Diagnostic>) -> Vec<Thread> {
     let mut ties = Vec::new();
     for (index, tie) in scenario.break_ties.iter().enumerate() {
@@ -128,11 +142,12 @@ fn break_ties(document: &Document, cut: &CutWeb, scenario: &Scenario, found: &mu
         spans.extend(pairs(document, cut, &path, &tie.pairs, found));
         if spans.is_empty() && found.is_empty() {
             let help = "give one of `corners`, `tractors`, `nodes`, `points`, `pairs`";
-            found.push(document.diagnostic(&path.to_string(), "nothing is named that it ties").with_help(help));
+            found.push(document.diagnostic(&path.to_string(), "no node is named for this tie").with_help(help));
         }
+        let rupture = Rupture::new(tie.breaking_load, tie.breaking_strain);
         for ends in spans {
             let part = Part::Tie { number: ties.len() };
-            ties.push(Thread::new(part, &path, ends, (tie.breaking_load, tie.breaking_strain), tie.length));
+            ties.push(Thread::new(part, &path, ends, rupture, tie.length));
         }
     }
     ties
@@ -152,7 +167,8 @@ fn stitches(
         let path = Path::default().key("stitches").index(row);
         let spans = match (&stitching.pairs, &stitching.class, stitching.reach) {
             (Some(named), ..) if named.is_empty() => {
-                found.push(document.diagnostic(&path.key("pairs").to_string(), "no nodes are named that it joins"));
+                found
+                    .push(document.diagnostic(&path.key("pairs").to_string(), "no nodes are named for these stitches"));
                 continue;
             }
             (Some(named), ..) => pairs(document, cut, &path, named, found),
@@ -161,22 +177,22 @@ fn stitches(
                 continue;
             }
             (_, Some(class), Some(reach)) => folds(cut, class, stitching, reach.si(), position),
-            // the schema asks for one or the other
+            // the schema requires `pairs` or `class` with `reach`
             _ => continue,
         };
         if spans.is_empty() && found.is_empty() {
-            let message = "it has no stitch: no node lies that near to another fold";
+            let message = "no stitch is made: no node lies within reach of another fold";
             found.push(document.diagnostic(&path.key("reach").to_string(), message));
         }
+        let rupture = Rupture::new(stitching.breaking_load, stitching.breaking_strain);
         for (number, ends) in spans.into_iter().enumerate() {
-            let (part, bears) = (Part::Stitch { row, number }, (stitching.breaking_load, stitching.breaking_strain));
-            stitches.push(Thread::new(part, &path, ends, bears, stitching.length));
+            stitches.push(Thread::new(Part::Stitch { row, number }, &path, ends, rupture, stitching.length));
         }
     }
     stitches
 }
 
-/// The nodes that are named in pairs below `path`.
+/// The pairs of nodes that `named` lists below `path`. Reports unknown nodes to `found`.
 fn pairs(
     document: &Document,
     cut: &CutWeb,
@@ -203,16 +219,16 @@ fn pairs(
     pairs
 }
 
-/// Every so many nodes of the ropes of a class, each with the nearest node of another fold within `reach`, m: one to
-/// which the way along the ropes is more than twice that. What a row has passed it does not go back to, so that of three
-/// folds that lie in line each is stitched to the next.
+/// The stitches of one row, as pairs of nodes. Every n-th node of the ropes of `class` is joined to the nearest node of
+/// another fold within `reach`, m: a node more than twice as far along the ropes. The row never returns to nodes that it
+/// has passed, so that of three folds in line each is stitched to the next.
 fn folds(cut: &CutWeb, class: &str, stitching: &Stitching, reach: f64, position: &[DVec3]) -> Vec<[usize; 2]> {
     let mut neighbours = vec![Vec::new(); cut.nodes.len()];
     for segment in cut.segments() {
         neighbours[segment.a].push((segment.b, segment.rest_length));
         neighbours[segment.b].push((segment.a, segment.rest_length));
     }
-    // by their place along one axis, so that few are looked at
+    // sorted along one axis, so that few nodes are compared
     let mut along: Vec<usize> = (0..cut.nodes.len()).filter(|&node| !neighbours[node].is_empty()).collect();
     along.sort_by(|&a, &b| position[a].x.total_cmp(&position[b].x));
     let every = stitching.every.map_or(1, |every| every.get() as usize);
@@ -236,7 +252,7 @@ fn folds(cut: &CutWeb, class: &str, stitching: &Stitching, reach: f64, position:
     spans
 }
 
-/// The nodes to which there are at most `way` metres of rope from `start`, which is one of them.
+/// The nodes, `start` included, within `way` m of rope from `start` (Dijkstra, Numer. Math. 1, 1959).
 fn within(way: f64, start: usize, neighbours: &[Vec<(usize, f64)>]) -> BTreeSet<usize> {
     let mut settled = BTreeSet::new();
     let mut open = BinaryHeap::from([Reverse(Reached { along: 0.0, node: start })]);
@@ -249,7 +265,7 @@ fn within(way: f64, start: usize, neighbours: &[Vec<(usize, f64)>]) -> BTreeSet<
     settled
 }
 
-/// A node and the way along the ropes to it, m; the nearest first.
+/// A node with the way along the ropes to it, m, ordered by that way.
 struct Reached {
     along: f64,
     node: usize,

@@ -1,4 +1,4 @@
-//! The wind of a scenario, tabulated by height and by time.
+//! The wind of a scenario: a mean by height and a fluctuation by time, both as tables.
 
 use glam::DVec3;
 use netcast_dynamics::air::turbulence::{self, Spectrum};
@@ -11,28 +11,28 @@ use netcast_webs::chance::uniform_above_zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// The longest run for which turbulence is made, s: it is a table, which takes time and room.
+/// The longest run for which turbulence is made, s. Its table takes time and memory.
 const LONGEST: f64 = 600.0;
-/// The least time in which an eddy of its length scale passes, s: the tables have no waves beyond 50 1/s, and 4 % of the
-/// variance then lie there.
+/// Least time in which an eddy of the length scale passes, s. The tables have no waves beyond 50 1/s, where 4 % of the
+/// variance of such eddies lie.
 const SHORTEST: f64 = 0.2;
-/// Most entries of a table by time.
+/// The most entries of a table by time.
 const MOST_ENTRIES: f64 = 1e6;
 /// Entries of the table of a gust.
 const GUST_ENTRIES: f64 = 200.0;
 
-/// The wind during `duration` seconds; a profile up to `top` metres above the muzzle.
+/// The wind during `duration`, s, with a profile up to `top`, m above the muzzle; no wind if the scenario has none.
 ///
 /// # Errors
-/// Values that do not fit each other.
+/// Values that contradict each other, or a table that would be too large.
 pub fn wind(document: &Document, scenario: &Scenario, duration: f64, top: f64) -> Result<Wind, Diagnostics> {
     let Some(asked) = &scenario.environment.wind else { return Ok(Wind::none()) };
     if let Some(rows) = &document.files.wind {
         return match resampled(during(rows, duration)) {
             Some(fluctuation) => Ok(Wind { fluctuation, ..Wind::none() }),
             None => {
-                let message = format!("its rows lie too unevenly for a table of {MOST_ENTRIES:e} entries");
-                let help = "leave rows out that lie next to each other, or even them out";
+                let message = format!("the times of its rows are too uneven for a table of {MOST_ENTRIES:e} entries");
+                let help = "leave out rows that lie close together, or space them evenly";
                 Err(document.diagnostic("environment.wind.series.file", message).with_help(help).into())
             }
         };
@@ -61,17 +61,18 @@ pub fn wind(document: &Document, scenario: &Scenario, duration: f64, top: f64) -
         (None, None) => Series::constant(DVec3::ZERO),
         (Some(eddies), None) => eddies,
         (None, Some(gust)) => gust_of(asked, gust),
-        (Some(eddies), Some(gust)) => together(&eddies, &gust_of(asked, gust), duration),
+        (Some(eddies), Some(gust)) => sum(&eddies, &gust_of(asked, gust), duration),
     };
     Ok(Wind { direction, mean, fluctuation })
 }
 
-/// The unit vector along an azimuth, rad.
+/// The horizontal unit vector along an azimuth, rad.
 fn towards(azimuth: f64) -> DVec3 {
     let (sin, cos) = libm::sincos(azimuth);
     DVec3::new(cos, sin, 0.0)
 }
 
+/// The velocity of a gust by time, world frame, m/s.
 fn gust_of(wind: &WrittenWind, asked: &Gust) -> Series<DVec3> {
     let direction = towards(asked.azimuth.or(wind.azimuth).map_or(0.0, |azimuth| azimuth.si()));
     let duration = asked.duration.si();
@@ -80,7 +81,7 @@ fn gust_of(wind: &WrittenWind, asked: &Gust) -> Series<DVec3> {
     Series { first, spacing, values: values.into_iter().map(|speed| direction * speed).collect() }
 }
 
-/// Isotropic turbulence, carried along by the mean.
+/// Velocity of isotropic turbulence by time, world frame, m/s. The mean wind, `speed` m/s along `direction`, carries it.
 fn turbulent(
     document: &Document,
     asked: &Turbulence,
@@ -106,11 +107,11 @@ fn turbulent(
     let shortest = speed * SHORTEST;
     if along < shortest {
         let message =
-            format!("eddies of {along} m pass faster than the tables can tell: expected at least {shortest} m");
+            format!("eddies of {along} m pass faster than the tables resolve: expected at least {shortest} m");
         return Err(document.diagnostic(&format!("{table}.length_scale"), message));
     }
     let (spectrum, across) = match asked {
-        // von Karman's scales of isotropic turbulence, and Dryden's, as the spectra have them
+        // length scales of isotropic turbulence in the terms of either spectrum
         Turbulence::VonKarman(_) => (Spectrum::VonKarman, 0.5 * along),
         Turbulence::Dryden(_) => (Spectrum::Dryden, along),
     };
@@ -121,8 +122,8 @@ fn turbulent(
     Ok(turbulence.series(axes, duration, || uniform_above_zero(&mut source)))
 }
 
-/// The sum of both from the start on, as fine as the finer of them.
-fn together(one: &Series<DVec3>, other: &Series<DVec3>, duration: f64) -> Series<DVec3> {
+/// The sum of two tables from time 0 to `duration`, s, at the finer spacing of the two.
+fn sum(one: &Series<DVec3>, other: &Series<DVec3>, duration: f64) -> Series<DVec3> {
     let spacing = one.spacing.min(other.spacing).max(duration / MOST_ENTRIES);
     let count = (duration / spacing).ceil() as usize + 1;
     let at = |i: usize| i as f64 * spacing;
@@ -136,8 +137,8 @@ fn during(rows: &[WindRow], duration: f64) -> &[WindRow] {
     &rows[first..past.max(first)]
 }
 
-/// A measured wind at equal distances of time: those of its rows where these are equal, else a quarter of the shortest, so
-/// that a row that stands out keeps seven eighths of its height at least. None where that were too many.
+/// A measured wind at equally spaced times. The spacing is that of the rows if they are equally spaced, else a quarter of
+/// their shortest gap: a peak then keeps at least seven eighths of its height. None if the table would be too large.
 fn resampled(rows: &[WindRow]) -> Option<Series<DVec3>> {
     let velocity = |row: &WindRow| DVec3::from_array(row.velocity_m_s);
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return Some(Series::constant(DVec3::ZERO)) };
@@ -186,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_blows_during_the_run_is_tabulated_and_what_no_table_holds_is_none() {
+    fn only_the_rows_of_the_run_are_tabulated_and_too_many_entries_are_refused() {
         let day = rows(&[(-3600.0, 1.0), (-1.0, 2.0), (0.5, 4.0), (0.6, 8.0), (3.0, 2.0), (4.0, 3.0), (86_400.0, 1.0)]);
         let times = |duration: f64| during(&day, duration).iter().map(|row| row.time_s).collect::<Vec<_>>();
         assert_eq!(times(2.0), [-1.0, 0.5, 0.6, 3.0]);
@@ -205,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_at_uneven_times_stay_straight_lines_and_what_stands_out_stands_out() {
+    fn rows_at_uneven_times_are_joined_by_straight_lines_and_keep_their_peaks() {
         let rows = rows(&[(0.0, 0.0), (1.0, 0.0), (1.13, 8.0), (1.3, 0.0), (4.0, 2.7)]);
         let series = resampled(&rows).unwrap();
         for (time, speed) in [(0.5, 0.0), (2.0, 0.7), (3.7, 2.4), (4.0, 2.7)] {
