@@ -1,4 +1,4 @@
-//! Errors as the user reads them, and their exit status.
+//! Errors of commands: their text for the user and their exit status.
 
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -15,16 +15,16 @@ pub enum Complaint {
     Input(Diagnostics),
     /// A path, a name or another argument is wrong: status 2.
     Argument(String),
-    /// The run failed; its results up to there are kept: status 3.
+    /// The run failed; the results so far are kept: status 3.
     Failed {
-        /// Why.
+        /// The cause.
         failure: Failure,
-        /// The folder that holds the results up to there.
+        /// The folder that holds the results so far.
         folder: PathBuf,
-        /// The command that resumes the run; none where it cannot be resumed.
+        /// The command that resumes the run; none if it cannot be resumed.
         resume: Option<String>,
     },
-    /// A run could not write its results any more; those written before are kept: status 3.
+    /// A run could no longer write its results; those written before are kept: status 3.
     CutOff(String),
     /// Some of several runs failed; the results of all are kept: status 3.
     SomeFailed(Vec<(String, Failure)>, PathBuf),
@@ -48,6 +48,7 @@ impl Complaint {
         let _ = std::io::stderr().write_all(self.text().as_bytes());
     }
 
+    /// The text of the error, with a line break at its end.
     fn text(&self) -> String {
         match self {
             Complaint::Input(diagnostics) => {
@@ -75,7 +76,7 @@ impl Complaint {
     }
 }
 
-/// The option that accepts a failure; empty where none does.
+/// The line that names the option by which a failure is accepted; empty if there is none.
 fn accept(failure: &Failure) -> &'static str {
     match failure {
         Failure::Unbalanced { .. } | Failure::Unresolved { .. } => {
@@ -127,7 +128,7 @@ impl From<RunError> for Complaint {
     }
 }
 
-/// A diagnostic in the look of rustc: file, line and column, the line itself, what was expected.
+/// The text of a diagnostic in the style of rustc: file, line and column, the line itself, the help.
 fn render(diagnostic: &Diagnostic) -> String {
     let title = if diagnostic.path.is_empty() {
         diagnostic.message.clone()

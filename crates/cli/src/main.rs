@@ -52,7 +52,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let ended = match &cli.command {
         None => {
-            // netcast alone says what to do next
+            // without a command: print the first steps
             let _ = Cli::command().print_help();
             return ExitCode::SUCCESS;
         }

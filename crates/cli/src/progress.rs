@@ -1,18 +1,18 @@
-//! The progress bar: on standard error, where that is a terminal.
+//! The progress bar, on standard error if that is a terminal.
 
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use netcast::Progress;
 
-/// Steps of the bar from start to end.
+/// Number of steps of the bar.
 const MARKS: u64 = 1000;
 
-/// A bar that shows the time simulated and the time left; hidden where `quiet` or where nobody sees it.
+/// A bar that shows the simulated time and the time left.
 pub struct Bar(ProgressBar);
 
 impl Bar {
-    /// A bar at its start.
+    /// A bar at its start; a `quiet` one stays hidden.
     pub fn new(quiet: bool) -> Bar {
         // indicatif draws nothing where standard error is no terminal
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
@@ -23,10 +23,10 @@ impl Bar {
         Bar(bar)
     }
 
-    /// Moves the bar.
-    pub fn tell(&self, progress: Progress) {
+    /// Moves the bar to this progress.
+    pub fn show(&self, progress: Progress) {
         let (share, message) = match progress {
-            // residuals fall by about the same factor again and again
+            // the residual falls by about the same factor an iteration: its logarithm shows the share
             Progress::Relaxing { iterations, residual, tolerance } => (
                 residual.min(1.0).ln() / tolerance.ln(),
                 format!("equilibrium: {residual:.1e} out of balance after {iterations} iterations"),
@@ -37,7 +37,7 @@ impl Bar {
         self.0.set_message(message);
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn end(&self) {
         self.0.finish_and_clear();
     }

@@ -1,11 +1,11 @@
-//! Output of the commands for people: columns of names and values.
+//! Text output of the commands: rows of names and values.
 
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 
 use netcast::facts::{PackingFacts, StartFacts};
 
-/// Prints a line for the user, as `println!` does. A reader that has gone, such as `head`, is no error.
+/// Prints a line for the user, as `println!` does. A closed pipe, such as after `head`, is not an error.
 macro_rules! say {
     ($($told:tt)*) => { $crate::screen::print_line(format_args!($($told)*)) };
 }
@@ -21,7 +21,7 @@ pub fn print_line(line: Arguments) {
     }
 }
 
-/// Prints rows of a name and a value, names in one column.
+/// Prints rows of a name and a value. The names form a column.
 pub fn rows(rows: &[(String, String)]) {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     for (name, value) in rows {
@@ -29,7 +29,7 @@ pub fn rows(rows: &[(String, String)]) {
     }
 }
 
-/// A number with `digits` significant digits; an exponent below 1e-4 and from 1e7 on.
+/// A number with `digits` significant digits. It has an exponent below 1e-4 and from 1e7 on.
 pub fn number(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -42,7 +42,7 @@ pub fn number(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Prints the longest stretch, stored energy and size of the state at the start.
+/// Prints the longest stretch, the stored energy and the packed size at the start.
 pub fn start(start: &StartFacts) {
     let stretch = start.longest_stretch.zip(start.longest_stretch_where.as_ref()).map(|(stretch, label)| {
         let share = 100.0 * stretch;
@@ -70,7 +70,7 @@ pub fn packing(packing: &PackingFacts) {
         .zip(packing.solid_fraction)
         .map(|(density, solid)| format!("{} kg/m^3, {} % of it solid", number(density, 4), number(100.0 * solid, 3)));
     let closest = match &packing.closest {
-        _ if !packing.is_compared => "not looked for: too many ropes lie near each other".to_owned(),
+        _ if !packing.is_compared => "not computed: too many ropes lie near each other".to_owned(),
         None => "all ropes are tied together".to_owned(),
         Some(closest) => format!("{} m, {}", number(closest.distance_m, 3), closest.segments.join(" and ")),
     };
@@ -81,7 +81,7 @@ pub fn packing(packing: &PackingFacts) {
         ("closest approach", Some(closest)),
         ("nearer than a diameter", touching),
     ];
-    say!("How it is packed");
+    say!("Packing");
     let told = told.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?)));
     rows(&told.collect::<Vec<_>>());
 }

@@ -28,7 +28,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast bench`.
 pub fn run(arguments: &Arguments) -> Ended {
     let all =
         arguments.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, |n| n.get()), usize::from);
@@ -59,6 +59,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     Ok(())
 }
 
+/// Prints one measurement as a row of the table.
 fn line(one: &Measurement) {
     let millions = |rate: f64| number(1e-6 * rate, 3);
     say!(

@@ -35,7 +35,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast check`.
 pub fn run(arguments: &Arguments) -> Ended {
     let case = arguments.scenario.case()?;
     let mut facts = case.facts();
@@ -53,6 +53,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     Ok(())
 }
 
+/// Prints the facts; `links` only if they were asked for.
 fn show(facts: &Facts, links: Option<&[netcast::facts::LinkFacts]>) {
     if !facts.title.is_empty() {
         say!("{}", facts.title);

@@ -60,7 +60,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast compare`.
 pub fn run(arguments: &Arguments) -> Ended {
     let lineup = Lineup::read(&arguments.designs, &arguments.overrides, arguments.reported.as_deref())?;
     let target = arguments.out.clone().unwrap_or_else(|| PathBuf::from("results").join("comparison"));
@@ -72,20 +72,20 @@ pub fn run(arguments: &Arguments) -> Ended {
     let stop = stop_on_signal()?;
     let bar = Bar::new(arguments.quiet);
     let interrupted = || stop.load(Ordering::Relaxed);
-    let compared = compare(&lineup, &target, &options, &|progress| bar.tell(progress), &interrupted);
+    let compared = compare(&lineup, &target, &options, &|progress| bar.show(progress), &interrupted);
     bar.end();
     let compared = compared?;
 
     if arguments.json {
         say!("{}", compared.comparison.to_json().trim_end());
     } else if !arguments.quiet {
-        tell(&compared);
+        print_table(&compared);
     }
     if compared.failures.is_empty() { Ok(()) } else { Err(Complaint::SomeFailed(compared.failures, compared.folder)) }
 }
 
-/// The quantities that a designer looks for first, the best of each row marked.
-fn tell(compared: &Compared) {
+/// Prints the headline quantities of all designs as a table, with the best of each row marked.
+fn print_table(compared: &Compared) {
     let designs = &compared.comparison.designs;
     let head: Vec<String> = designs.iter().map(|design| design.name.clone()).collect();
     let mut lines = vec![("".to_owned(), head)];

@@ -18,12 +18,10 @@ use netcast::{Case, Diagnostics};
 
 use crate::complaint::Complaint;
 
-/// A flag that Ctrl-C or `kill` sets, so that the run stops at the next record.
-///
-/// A second signal ends the program at once.
+/// A flag that Ctrl-C or `kill` sets, so that the run stops at the next record. A second signal ends the program at once.
 ///
 /// # Errors
-/// Where signals cannot be listened for.
+/// A system that does not let the program listen for signals.
 pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Complaint> {
     let stop = Arc::new(AtomicBool::new(false));
     let on_signal = stop.clone();
@@ -50,7 +48,10 @@ pub struct ScenarioArguments {
 }
 
 impl ScenarioArguments {
-    /// Reads the scenario with its overrides, and makes it ready.
+    /// Reads the scenario with its overrides and makes its model.
+    ///
+    /// # Errors
+    /// All mistakes in the scenario.
     pub fn case(&self) -> Result<Case, Diagnostics> {
         Case::read(&self.scenario, &self.overrides)
     }

@@ -26,13 +26,13 @@ pub struct Arguments {
     pictures: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast report`.
 pub fn run(arguments: &Arguments) -> Ended {
-    // a run that was cut off is read as far as it came
+    // an interrupted run is read up to its last record
     for lost in recover(&arguments.folder)? {
         say!("note: {lost}");
     }
-    // what can lack its input comes first, so that a refusal leaves nothing written
+    // pictures can lack their input: made first, their refusal leaves nothing written
     let pictures = if arguments.pictures { write_pictures(&arguments.folder).map_err(complaint)? } else { Vec::new() };
     let page = write_report(&arguments.folder).map_err(complaint)?;
     for path in [page].into_iter().chain(pictures) {

@@ -55,7 +55,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast run`.
 pub fn run(arguments: &Arguments) -> Ended {
     let case = arguments.scenario.case()?;
     let target = arguments.out.clone().unwrap_or_else(|| {
@@ -72,7 +72,7 @@ pub fn run(arguments: &Arguments) -> Ended {
 
     let stop = stop_on_signal()?;
     let bar = Bar::new(arguments.quiet);
-    let simulation = case.simulation().options(options).progress(|progress| bar.tell(progress));
+    let simulation = case.simulation().options(options).progress(|progress| bar.show(progress));
     let ran = simulation.interrupt_when(|| stop.load(Ordering::Relaxed)).run_to(&target);
     bar.end();
     let ran = ran?;
@@ -81,18 +81,21 @@ pub fn run(arguments: &Arguments) -> Ended {
     if arguments.json {
         say!("{}", summary.trim_end());
     } else if !arguments.quiet {
-        tell(&ran)?;
+        print_summary(&ran)?;
     }
     match ran.failure {
         Some(failure) => {
-            let resume = ran.can_resume.then(|| arguments.resuming());
+            let resume = ran.can_resume.then(|| arguments.resume_command());
             Err(Complaint::Failed { failure, folder: ran.folder, resume })
         }
         None => Ok(()),
     }
 }
 
-/// Reads a time between checkpoints; 0 means none.
+/// Reads a time between checkpoints; 0 means no checkpoints.
+///
+/// # Errors
+/// A text that is not a time of at least 0.
 fn checkpoint_every(text: &str) -> Result<CheckpointEvery, String> {
     let time = match text {
         "0" => 0.0,
@@ -103,7 +106,7 @@ fn checkpoint_every(text: &str) -> Result<CheckpointEvery, String> {
 
 impl Arguments {
     /// The command that resumes this run.
-    fn resuming(&self) -> String {
+    fn resume_command(&self) -> String {
         let path = |path: &PathBuf| quoted(&path.to_string_lossy());
         let mut command = format!("netcast run {}", path(&self.scenario.scenario));
         for set in &self.scenario.overrides {
@@ -116,7 +119,7 @@ impl Arguments {
     }
 }
 
-/// A word quoted for a shell.
+/// `word`, quoted for a shell where it needs quotes.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "/._-=+:,@%".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
@@ -126,15 +129,15 @@ fn quoted(word: &str) -> String {
     }
 }
 
-/// The summary in a designer's words.
-fn tell(ran: &netcast::Ran) -> Ended {
+/// Prints the title, the summary in words, warnings, and the steps of a run.
+fn print_summary(ran: &netcast::Ran) -> Ended {
     if !ran.summary.title.is_empty() {
         say!("{}", ran.summary.title);
     }
     for sentence in netcast::report::words(&ran.summary) {
         say!("  {sentence}");
     }
-    // why it failed is told last, on standard error
+    // a failure is printed last, on standard error
     let failure = ran.failure.as_ref().map(|failure| failure.to_string());
     for warning in ran.summary.warnings.iter().filter(|warning| Some(*warning) != failure.as_ref()) {
         say!("  note: {warning}");

@@ -16,7 +16,7 @@ An editor with TOML support completes and checks a scenario that begins with
   #:schema ./netcast.schema.json")]
 pub struct Arguments {}
 
-/// Carries it out.
+/// Runs `netcast schema`.
 pub fn run(_: &Arguments) -> Ended {
     let text = serde_json::to_string_pretty(netcast::scenario::schema());
     say!("{}", text.map_err(|error| Complaint::Fault(error.to_string()))?);

@@ -12,7 +12,7 @@ use crate::complaint::Complaint;
 use crate::screen::{notes, packing, say, start};
 
 /// Pack a web and print the audit of its stowed state: longest stretch, stored energy, packed size,
-/// density, how near ropes come to each other
+/// density, least distance between ropes
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -33,7 +33,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Carries it out.
+/// Runs `netcast stow`.
 pub fn run(arguments: &Arguments) -> Ended {
     let case = arguments.scenario.case()?;
     let (facts, packed) = (case.facts(), case.packing());

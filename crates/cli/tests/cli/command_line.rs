@@ -1,4 +1,4 @@
-//! Help, first steps and the command line itself.
+//! Help, first steps and wrong command lines.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use crate::workbench::{Ended, Workbench};
 const COMMANDS: [&str; 8] = ["run", "compare", "check", "init", "stow", "report", "bench", "schema"];
 
 #[test]
-fn netcast_alone_says_what_to_do_next() {
+fn without_a_command_netcast_prints_the_first_steps() {
     let ended = Workbench::new(&[]).succeed(&[]);
     for said in ["thrown", "First steps", "netcast init", "netcast check scenario.toml", "netcast run scenario.toml"] {
         assert!(ended.stdout.contains(said), "{said}: {}", ended.stdout);
@@ -19,7 +19,7 @@ fn netcast_alone_says_what_to_do_next() {
 }
 
 #[test]
-fn the_first_steps_can_be_taken_as_they_are_told() {
+fn the_first_steps_work_as_printed() {
     let workbench = Workbench::new(&[]);
     workbench.succeed(&["init"]);
     workbench.succeed(&["check", "scenario.toml"]);
@@ -35,7 +35,7 @@ fn every_command_has_help_with_examples_and_long_names() {
         let help = workbench.succeed(&[command, "--help"]).stdout;
         let examples = help.split("Examples:").nth(1).unwrap_or_else(|| panic!("{help}"));
         assert!(examples.contains(&format!("\n  netcast {command}")), "{help}");
-        // an example that names a shipped file names one that there is
+        // shipped files that the examples name exist
         for word in examples.split_whitespace().filter(|word| word.starts_with("examples/")) {
             assert!(repository.join(word).is_file(), "`netcast {command} --help` names {word}");
         }
@@ -51,7 +51,7 @@ fn every_command_has_help_with_examples_and_long_names() {
 }
 
 #[test]
-fn a_wrong_command_line_is_wrong_input() {
+fn a_wrong_command_line_ends_with_status_2_and_writes_nothing() {
     let workbench = Workbench::with_net();
     let before = workbench.listing();
     for (arguments, said) in [
@@ -73,14 +73,14 @@ fn a_wrong_command_line_is_wrong_input() {
 }
 
 #[test]
-fn the_version_is_the_packages() {
+fn the_version_is_that_of_the_package() {
     let ended = Workbench::new(&[]).succeed(&["--version"]);
     assert_eq!(ended.stdout, format!("netcast {}\n", env!("CARGO_PKG_VERSION")));
 }
 
 /// `netcast schema | head -1` ended in a panic.
 #[test]
-fn a_reader_that_has_gone_is_no_error() {
+fn a_closed_pipe_is_not_an_error() {
     let workbench = Workbench::with_net();
     for arguments in [&["schema"][..], &["check", "net.toml"], &["run", "net.toml", "--json"]] {
         let (reader, writer) = std::io::pipe().unwrap();
@@ -92,7 +92,7 @@ fn a_reader_that_has_gone_is_no_error() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn an_output_that_is_full_is_told() {
+fn a_full_standard_output_is_reported() {
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ended: Ended = Workbench::new(&[]).command(&["schema"]).stdout(full).output().unwrap().into();
     assert_eq!(ended.status, 1);

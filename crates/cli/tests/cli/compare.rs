@@ -1,10 +1,10 @@
-//! `netcast compare`: what it writes, what it refuses, and that threads change nothing.
+//! `netcast compare`: its files, its refusals, and the same bits for any number of threads.
 
 use serde_json::{Value, json};
 
 use crate::workbench::{GRAPH_NET, NODES, ROPES, SMALL_NET, Workbench};
 
-/// Two small nets, the second of finer mesh.
+/// Two small nets; the second has the finer mesh.
 fn two() -> Workbench {
     let fine = SMALL_NET.replace("mesh = \"0.5 m\"", "mesh = \"0.25 m\"").replace("A small net", "A finer net");
     Workbench::new(&[("coarse.toml", SMALL_NET), ("fine.toml", &fine)])
@@ -16,7 +16,7 @@ fn row<'s>(summary: &'s Value, quantity: &str) -> &'s Value {
 }
 
 #[test]
-fn two_scenarios_become_one_table_one_page_and_two_results() {
+fn two_scenarios_give_one_table_one_page_and_two_results() {
     let workbench = two();
     let ended = workbench.succeed(&["compare", "coarse.toml", "fine.toml"]);
     assert!(ended.stdout.contains("Mass of the web, kg"), "{}", ended.stdout);
@@ -66,19 +66,22 @@ fn json_is_the_summary_and_nothing_else() {
     assert_eq!((&quiet.stdout[..], &quiet.stderr[..]), ("", ""));
 }
 
-/// All of a comparison but what the clock says.
+/// The files of a comparison without wall times, manifest and report.
 fn bits(workbench: &Workbench, folder: &str) -> Vec<(String, Vec<u8>)> {
     let listing = workbench.listing().into_iter();
     let own = listing.filter_map(|(name, bytes)| Some((name.strip_prefix(&format!("{folder}/"))?.to_owned(), bytes)));
     let kept = own.filter(|(name, _)| !name.ends_with("manifest.json") && !name.ends_with("report.html"));
-    kept.map(|(name, bytes)| match name.ends_with("summary.json") || name.ends_with("summary.csv") {
-        true => (name, without_clock(&String::from_utf8(bytes).unwrap()).into_bytes()),
-        false => (name, bytes),
+    kept.map(|(name, bytes)| {
+        if name.ends_with("summary.json") || name.ends_with("summary.csv") {
+            (name, without_clock(&String::from_utf8(bytes).unwrap()).into_bytes())
+        } else {
+            (name, bytes)
+        }
     })
     .collect()
 }
 
-/// A summary without the line, or the row of a comparison's table, that says how long it took.
+/// A summary without its wall time: a line, or a row in the table of a comparison.
 fn without_clock(text: &str) -> String {
     if let Ok(mut summary) = serde_json::from_str::<Value>(text)
         && let Some(rows) = summary["table"].as_array_mut()
@@ -113,7 +116,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 }
 
 #[test]
-fn a_result_folder_is_taken_as_it_is() {
+fn a_result_folder_is_compared_without_running_it_again() {
     let workbench = two();
     workbench.succeed(&["run", "coarse.toml", "--quiet", "--set", "launch.axial_speed=25 m/s"]);
     let before = workbench.read("results/coarse/summary.json");
@@ -127,7 +130,7 @@ fn a_result_folder_is_taken_as_it_is() {
     // the override changed the scenario and not the result
     assert_eq!(speed("launch.radial_speed"), Some(json!({"coarse": "10 m/s", "fine": "11 m/s"})));
 
-    // its own results can be compared anew, into the folder that they stand in
+    // its own results can be compared again, into the same folder
     let again = ["compare", "results/comparison/fine", "results/comparison/coarse", "--quiet"];
     workbench.succeed(&again);
     assert_eq!(workbench.read("results/comparison/coarse/summary.json"), before);
@@ -136,7 +139,7 @@ fn a_result_folder_is_taken_as_it_is() {
 }
 
 #[test]
-fn designs_are_named_after_their_files_and_a_later_comparison_replaces_an_earlier() {
+fn designs_are_named_after_their_files_and_a_new_comparison_replaces_an_old_one() {
     let workbench = two();
     std::fs::create_dir(workbench.path("other")).unwrap();
     std::fs::copy(workbench.path("fine.toml"), workbench.path("other/coarse.toml")).unwrap();
@@ -149,13 +152,13 @@ fn designs_are_named_after_their_files_and_a_later_comparison_replaces_an_earlie
     assert_eq!(workbench.read("both/notes.md"), "keep");
     assert_eq!(workbench.summary("both/coarse")["title"], "A finer net");
 
-    // two of one name are told apart by where they lie
+    // two designs of one name get the names of their folders
     workbench.succeed(&[&["compare", "coarse.toml", "other/coarse.toml"], &quietly[..]].concat());
     assert!(folders("other_coarse") && !folders("coarse") && !folders("fine"));
 }
 
 #[test]
-fn every_fault_is_told_at_once_and_nothing_is_written() {
+fn all_mistakes_are_reported_at_once_and_nothing_is_written() {
     let workbench = Workbench::new(&[
         ("net.toml", SMALL_NET),
         ("bad.toml", &SMALL_NET.replace("side = \"2 m\"", "side = \"2 kg\"")),
@@ -199,7 +202,7 @@ fn every_fault_is_told_at_once_and_nothing_is_written() {
     }
     assert!(workbench.listing() == before, "something was written");
 
-    // a folder of somebody else's is left alone, before anything is run
+    // a folder that netcast did not write is refused before anything is run
     std::fs::create_dir(workbench.path("thesis")).unwrap();
     std::fs::write(workbench.path("thesis/chapter.tex"), "").unwrap();
     std::fs::write(workbench.path("other.toml"), SMALL_NET).unwrap();
@@ -209,7 +212,7 @@ fn every_fault_is_told_at_once_and_nothing_is_written() {
 }
 
 #[test]
-fn a_design_that_fails_on_the_way_is_compared_as_far_as_it_came() {
+fn a_failed_design_is_compared_up_to_its_failure() {
     let diverges = SMALL_NET
         .replace("elastic_modulus = \"5 GPa\"", "elastic_modulus = \"5 GPa\"\ndamping_ratio = 0")
         .replace("duration = \"50 ms\"", "duration = \"0.6 s\"\nstep_fraction = 0.99");
@@ -227,7 +230,7 @@ fn a_design_that_fails_on_the_way_is_compared_as_far_as_it_came() {
 }
 
 #[test]
-fn what_is_known_from_elsewhere_stands_beside() {
+fn reported_numbers_stand_beside_the_results() {
     let reported = "source = \"A test\"\n[fine]\nmodel.web_mass_kg = 0.5\ntension.max_where = \"inner\"\n";
     let workbench = two();
     std::fs::write(workbench.path("reported.toml"), reported).unwrap();
@@ -252,7 +255,7 @@ fn what_is_known_from_elsewhere_stands_beside() {
 }
 
 #[test]
-fn webs_drawn_in_files_of_one_name_differ_by_what_is_in_them() {
+fn graph_files_of_one_name_are_compared_by_their_content() {
     let workbench = Workbench::new(&[("net.toml", GRAPH_NET), ("nodes.csv", NODES), ("ropes.csv", ROPES)]);
     std::fs::create_dir(workbench.path("wide")).unwrap();
     for (name, text) in

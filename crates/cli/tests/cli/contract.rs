@@ -2,7 +2,7 @@
 
 use crate::workbench::Workbench;
 
-/// As it stands in the contract; the scenario crate's tests read the same file.
+/// The text of the contract; the tests of the scenario crate read the same file.
 const SCENARIO: &str = include_str!("../../../scenario/tests/contract.toml");
 
 /// Keys that a user's script relies on.
@@ -23,7 +23,7 @@ const SUMMARY: &str = r#"{
   "energy":  {"initial_j": 0.0, "final_j": 0.0, "closure": 0.0, "closure_web": 0.0, "channels": {}}
 }"#;
 
-/// Every key of `expected` is in `found`; a number where `expected` has one, anything where it has null.
+/// Asserts that `found` has every key of `expected`: with a value of the same type, or any value for null.
 fn assert_has(expected: &serde_json::Value, found: &serde_json::Value, path: &str) {
     use serde_json::Value;
     match (expected, found) {
@@ -50,10 +50,10 @@ fn the_scenario_of_the_contract_runs_and_its_summary_has_every_key() {
     assert!((summary["model"]["tractor_mass_kg"].as_f64().unwrap() - 166.82).abs() < 0.01);
     // a hexagon of 2.5 m: 3 sqrt(3)/2 a^2
     assert!((summary["opening"]["reference_area_m2"].as_f64().unwrap() - 16.238).abs() < 0.001);
-    // all start at sqrt(50^2 + 50^2) m/s
+    // all tractors start at sqrt(50^2 + 50^2) m/s
     assert!((summary["points"]["tractor"]["peak_speed_m_s"].as_f64().unwrap() - 70.71).abs() < 0.01);
     assert!(summary["energy"]["closure"].as_f64().unwrap() <= 0.003);
-    // and the energy at the start is all theirs: 166.82 kg at 70.71 m/s, and weight energy of what hangs below
+    // the energy at the start is that of the tractors, 166.82 kg at 70.71 m/s, and the weight energy of the bag below
     let kinetic = 0.5 * summary["model"]["tractor_mass_kg"].as_f64().unwrap() * 5000.0;
     assert!((summary["energy"]["initial_j"].as_f64().unwrap() / kinetic - 1.0).abs() < 0.01);
 }

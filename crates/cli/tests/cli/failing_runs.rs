@@ -1,11 +1,11 @@
-//! Runs that fail on the way: status 3, what was computed is kept, and the message says what to do.
+//! Runs that fail: status 3, the results so far are kept, and the message says what to do.
 
 use crate::workbench::{Ended, Workbench};
 
 /// Undamped ropes at a step near the stability limit: energy grows at every slack-taut event until it overflows.
 const DIVERGES: [&str; 4] = ["--set", "rope.damping_ratio=0", "--set", "solve.step_fraction=0.99"];
 
-/// A step that is too large for the energy balance, though not for a run to its end.
+/// A step that is too large for the energy balance but still stable.
 const MISSES_BALANCE: [&str; 4] = ["--set", "solve.step_fraction=0.99", "--set", "solve.energy_tolerance=1e-5"];
 
 fn run(workbench: &Workbench, more: &[&str]) -> Ended {
@@ -32,9 +32,9 @@ fn assert_readable(workbench: &Workbench, folder: &str) {
     workbench.succeed(&["report", folder]);
 }
 
-/// It ended with status 1, "a number under `opening` of the summary is not finite", and kept nothing.
+/// The run ended with status 1, "a number under `opening` of the summary is not finite", and kept nothing.
 #[test]
-fn a_run_that_diverges_keeps_what_it_had_and_says_what_to_do() {
+fn a_diverging_run_keeps_its_results_and_says_what_to_do() {
     let workbench = Workbench::with_net();
     let long = ["--set", "solve.duration=0.6 s", "--set", "record.every=20 ms"];
     let ended = run(&workbench, &[&DIVERGES[..], &long].concat());
@@ -47,20 +47,20 @@ fn a_run_that_diverges_keeps_what_it_had_and_says_what_to_do() {
     assert_eq!(summary["finished"], false);
     assert!(!summary["warnings"].as_array().unwrap().is_empty());
 
-    // the step that it offers resolves the motion
+    // the offered step resolves the motion
     let better = run(&workbench, &["--set", "rope.damping_ratio=0", "--set", offered(&ended.stderr), "--quiet"]);
     assert_eq!(workbench.summary("results/net")["finished"], true, "{}", better.stderr);
 }
 
 #[test]
-fn a_run_that_misses_its_balance_fails_and_its_advice_mends_it() {
+fn a_run_that_misses_its_energy_balance_fails_and_its_advice_works() {
     let workbench = Workbench::with_net();
     let ended = run(&workbench, &MISSES_BALANCE);
     assert_eq!(ended.status, 3, "{}{}", ended.stdout, ended.stderr);
     assert!(ended.stderr.contains("the energy balance misses its tolerance"), "{}", ended.stderr);
     assert!(ended.stderr.contains("or accept it with --set solve.on_energy_error=flag"), "{}", ended.stderr);
     assert!(ended.stdout.contains("do not trust these numbers"), "{}", ended.stdout);
-    // said once, at the end
+    // the message comes once, at the end
     assert!(!ended.stdout.contains("misses its tolerance"), "{}", ended.stdout);
     assert_readable(&workbench, "results/net");
 
@@ -69,7 +69,7 @@ fn a_run_that_misses_its_balance_fails_and_its_advice_mends_it() {
 }
 
 #[test]
-fn a_balance_that_is_missed_by_far_stops_the_run_there_and_then() {
+fn a_large_error_of_the_energy_balance_stops_the_run_at_once() {
     let workbench = Workbench::with_net();
     let ended = run(&workbench, &MISSES_BALANCE);
     let whole =
@@ -79,7 +79,7 @@ fn a_balance_that_is_missed_by_far_stops_the_run_there_and_then() {
     assert_eq!((&stopped["finished"], &whole["finished"]), (&false.into(), &true.into()));
     let step = stopped["step"]["count"].as_u64().unwrap();
     assert!(step < whole["step"]["count"].as_u64().unwrap(), "{step}");
-    // where it happened is told
+    // the message names the step and the segment
     assert!(ended.stderr.contains(&format!("at step {step} at ")), "{}", ended.stderr);
     assert!(ended.stderr.contains("where segment ") && ended.stderr.contains("pulls hardest"), "{}", ended.stderr);
     // the records before it are those of the run that went on
@@ -88,20 +88,20 @@ fn a_balance_that_is_missed_by_far_stops_the_run_there_and_then() {
 }
 
 #[test]
-fn a_balance_that_is_missed_by_little_is_judged_at_the_end() {
+fn a_small_error_of_the_energy_balance_is_judged_at_the_end() {
     let workbench = Workbench::with_net();
     run(&workbench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag"]].concat());
     let closure = workbench.summary("results/net")["energy"]["closure"].as_f64().unwrap();
     let asked = format!("solve.energy_tolerance={}", closure / 1.5);
     let ended = run(&workbench, &[MISSES_BALANCE[0], MISSES_BALANCE[1], "--set", &asked]);
     assert_eq!(ended.status, 3, "{}", ended.stderr);
-    // it came to its end, only not well
+    // the run reached its end
     assert_eq!(workbench.summary("results/net")["finished"], true);
 }
 
 #[test]
-fn a_step_that_throws_segments_about_is_told() {
-    // hardly any stiffness allows a step of the time between two records, in which the net flies many times its length
+fn a_step_that_does_not_resolve_the_motion_is_reported() {
+    // almost without stiffness, a step may be as long as a record interval, in which the net flies many times its length
     let workbench = Workbench::with_net();
     let limp = ["--set", "rope.elastic_modulus=1 Pa", "--set", "record.every=50 ms"];
     let ended = run(&workbench, &limp);
@@ -112,7 +112,7 @@ fn a_step_that_throws_segments_about_is_told() {
 }
 
 #[test]
-fn a_run_that_misses_its_balance_is_flagged_where_the_scenario_says_so() {
+fn a_scenario_can_ask_to_flag_a_missed_energy_balance() {
     let workbench = Workbench::with_net();
     let ended = run(&workbench, &[&MISSES_BALANCE[..], &["--set", "solve.on_energy_error=flag"]].concat());
     assert_eq!(ended.status, 0, "{}", ended.stderr);
@@ -123,7 +123,7 @@ fn a_run_that_misses_its_balance_is_flagged_where_the_scenario_says_so() {
 }
 
 #[test]
-fn json_of_a_failed_run_is_its_summary_all_the_same() {
+fn json_of_a_failed_run_is_its_summary() {
     let workbench = Workbench::with_net();
     let ended = run(&workbench, &[&MISSES_BALANCE[..], &["--json"]].concat());
     assert_eq!(ended.status, 3);
@@ -133,7 +133,7 @@ fn json_of_a_failed_run_is_its_summary_all_the_same() {
 /// SIGTERM left a hidden folder behind, and no result.
 #[test]
 #[cfg(unix)]
-fn a_run_that_is_interrupted_or_killed_keeps_what_it_had() {
+fn an_interrupted_or_terminated_run_keeps_its_results() {
     use std::process::{Command, Stdio};
     use std::time::{Duration, Instant};
 
@@ -141,7 +141,7 @@ fn a_run_that_is_interrupted_or_killed_keeps_what_it_had() {
         let workbench = Workbench::with_net();
         let mut command = workbench.command(&["run", "net.toml", "--set", "solve.duration=500 s"]);
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        // it listens before it makes its folder
+        // the program listens for signals before it makes its folder
         let patience = Instant::now() + Duration::from_secs(60);
         while !workbench.path("results").exists() {
             assert!(Instant::now() < patience, "no run begins");

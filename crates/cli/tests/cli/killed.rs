@@ -1,4 +1,4 @@
-//! Runs that are killed, interrupted and taken up again.
+//! Runs that are killed or interrupted and then resumed.
 
 use std::fs;
 use std::process::{Child, Command, Stdio};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::workbench::{Ended, SMALL_NET, Workbench};
 
-/// Long enough to be killed at many points.
+/// A net whose run is long enough to be killed at many points.
 fn with_longer_net() -> Workbench {
     let net = SMALL_NET.replace("duration = \"50 ms\"", "duration = \"1 s\"").replace("5 ms", "2 ms");
     let net = net.replace("segments_per_mesh = 2", "segments_per_mesh = 6") + "\n";
@@ -21,11 +21,11 @@ fn start(workbench: &Workbench, more: &[&str]) -> Child {
 }
 
 fn signal(child: &Child, name: &str) {
-    // one that has ended already cannot be reached
+    // a process that has ended cannot be signalled
     let _ = Command::new("kill").args([name, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
 }
 
-/// Waits until a run has written something to go on from, however long it takes, unless it ends before.
+/// Waits until a run has written `file` or has ended well.
 fn wait_for(workbench: &Workbench, child: &mut Child, file: &str) {
     while !workbench.path(file).exists() {
         if let Some(status) = child.try_wait().unwrap() {
@@ -52,7 +52,7 @@ fn assert_same(workbench: &Workbench, of: &str) {
 
 #[test]
 #[cfg(unix)]
-fn a_run_that_is_killed_anywhere_is_readable_and_goes_on_to_the_same_bytes() {
+fn a_run_killed_at_any_point_is_readable_and_resumes_to_the_same_bytes() {
     let workbench = with_longer_net();
     let clock = Instant::now();
     workbench.succeed(&["run", "net.toml", "--quiet", "--out", "whole"]);
@@ -74,11 +74,11 @@ fn a_run_that_is_killed_anywhere_is_readable_and_goes_on_to_the_same_bytes() {
                 assert!(anew.stderr.contains("go on with it by --resume"), "{}", anew.stderr);
             }
         }
-        match workbench.path("results/net.running").exists() {
-            true => drop(workbench.succeed(&[&RUN[..], &["--resume"]].concat())),
-            // it had not begun, or had ended
-            false if !workbench.path("results/net").exists() => drop(workbench.succeed(&RUN)),
-            false => {}
+        if workbench.path("results/net.running").exists() {
+            workbench.succeed(&[&RUN[..], &["--resume"]].concat());
+        } else if !workbench.path("results/net").exists() {
+            // it was killed before it began
+            workbench.succeed(&RUN);
         }
         assert_same(&workbench, &format!("killed at {point} of {points}"));
         assert_eq!(fs::read_dir(workbench.path("results")).unwrap().count(), 1, "nothing is left beside the result");
@@ -89,7 +89,7 @@ fn a_run_that_is_killed_anywhere_is_readable_and_goes_on_to_the_same_bytes() {
 
 #[test]
 #[cfg(unix)]
-fn a_run_that_is_killed_again_and_again_comes_to_its_end() {
+fn a_run_killed_several_times_resumes_to_the_same_bytes() {
     let workbench = with_longer_net();
     workbench.succeed(&["run", "net.toml", "--quiet", "--out", "whole"]);
     let mut child = start(&workbench, &[]);
@@ -109,7 +109,7 @@ fn a_run_that_is_killed_again_and_again_comes_to_its_end() {
 
 #[test]
 #[cfg(unix)]
-fn an_interrupted_run_says_how_to_go_on_and_does() {
+fn an_interrupted_run_prints_the_command_that_resumes_it() {
     for name in ["-INT", "-TERM"] {
         let workbench = with_longer_net();
         workbench.succeed(&["run", "net.toml", "--quiet", "--out", "whole"]);
@@ -130,7 +130,7 @@ fn an_interrupted_run_says_how_to_go_on_and_does() {
 }
 
 #[test]
-fn two_runs_do_not_write_into_one_folder() {
+fn a_second_run_into_the_same_folder_is_refused() {
     let workbench = with_longer_net();
     let mut child = start(&workbench, &["--set", "solve.duration=500 s"]);
     wait_for(&workbench, &mut child, "results/net.running/history.csv");
@@ -144,7 +144,7 @@ fn two_runs_do_not_write_into_one_folder() {
 }
 
 #[test]
-fn what_cannot_be_resumed_is_refused_and_nothing_is_written() {
+fn without_a_checkpoint_resume_is_refused_and_nothing_is_written() {
     let workbench = Workbench::with_net();
     let before = workbench.listing();
     let ended = workbench.netcast(&["run", "net.toml", "--resume"]);

@@ -1,5 +1,5 @@
-//! What a machine can refuse: a disk that is full, a folder that is none, memory that is not there. Each is a message
-//! that names what was asked for, and nothing half written stays behind.
+//! Failures of the machine: a full disk, a path that is no folder, too little memory. Each gives a message that names the
+//! path or the key, and no incomplete file stays behind.
 
 use std::fs;
 use std::path::Path;
@@ -7,14 +7,14 @@ use std::process::Command;
 
 use crate::workbench::{Ended, SMALL_NET, Workbench};
 
-/// Runs a line of the shell in the workbench's folder, `$NETCAST` being the command.
+/// Runs a line of the shell in the folder of the workbench; `$NETCAST` is the program.
 fn shell(workbench: &Workbench, line: &str) -> Ended {
     let mut command = Command::new("sh");
     command.args(["-c", line]).current_dir(workbench.path("")).env("NETCAST", env!("CARGO_BIN_EXE_netcast"));
     command.output().unwrap().into()
 }
 
-/// A refusal with this status and these words, after which the folder is as it was.
+/// Asserts that `line` ends with this status and these words, and that it changes no file.
 #[track_caller]
 fn refused(workbench: &Workbench, line: &str, status: i32, said: &[&str]) -> Ended {
     let before = workbench.listing();
@@ -29,7 +29,7 @@ fn refused(workbench: &Workbench, line: &str, status: i32, said: &[&str]) -> End
     ended
 }
 
-/// A web of a million segments, which takes some 700 MB.
+/// A web of a million segments; it takes about 700 MB.
 const LARGE: &str = "--set web.square.side='100 m' --set web.square.mesh='1 m' --set web.square.segments_per_mesh=50";
 
 #[test]
@@ -67,14 +67,14 @@ fn a_report_of_a_folder_without_results_says_what_is_missing() {
     refused(&workbench, "$NETCAST report nowhere", 2, &["cannot read nowhere/summary.json: No such file"]);
 }
 
-/// Whether this process may read what nobody may read, as the superuser does.
+/// Whether permissions do not bind this user, such as the superuser.
 fn reads_everything(workbench: &Workbench) -> bool {
     fs::read(workbench.path("secret.toml")).is_ok()
 }
 
 #[test]
 #[cfg(unix)]
-fn what_may_not_be_read_or_written_is_named() {
+fn a_path_without_permission_is_named() {
     use std::os::unix::fs::PermissionsExt;
 
     let workbench = Workbench::with_net();
@@ -95,26 +95,25 @@ fn what_may_not_be_read_or_written_is_named() {
     assert_eq!(fs::read_dir(workbench.path("locked")).unwrap().count(), 0);
 }
 
-/// It was read until the system killed the program.
+/// The device was read until the system killed the program.
 #[test]
 #[cfg(unix)]
-fn a_device_that_never_ends_is_refused() {
+fn an_endless_device_is_refused() {
     let workbench = Workbench::with_graph();
     refused(&workbench, "$NETCAST check /dev/zero", 2, &["cannot read /dev/zero: it has more than 64 MB"]);
     let line = "ulimit -v 600000; $NETCAST check net.toml --set web.graph.nodes=/dev/zero";
     refused(&workbench, line, 2, &["web.graph.nodes: cannot read /dev/zero: it has more than"]);
 }
 
-/// A scenario from a pipe is read all the same.
 #[test]
 #[cfg(unix)]
-fn a_pipe_is_read_as_a_file_is() {
+fn a_scenario_can_come_from_a_pipe() {
     let ended = shell(&Workbench::with_net(), "cat net.toml | $NETCAST check /dev/stdin");
     assert_eq!(ended.status, 0, "{}", ended.stderr);
 }
 
-/// A run that could not write what it should: an error that says why, no half result under the result's name, and
-/// either nothing at all or what was computed, in a folder that the message names.
+/// Asserts that a run that could not write says why, leaves nothing under the name of the result, and either leaves
+/// nothing at all or keeps the results so far in a folder that the message names.
 #[track_caller]
 fn assert_cut_off(workbench: &Workbench, ended: &Ended, results: &str, why: &str) {
     let message = &ended.stderr;
@@ -136,16 +135,16 @@ fn assert_cut_off(workbench: &Workbench, ended: &Ended, results: &str, why: &str
 /// A limit on the size of a file stands in for a full disk where none can be mounted.
 #[test]
 #[cfg(unix)]
-fn a_file_that_cannot_grow_any_more_is_named() {
+fn a_limit_on_the_size_of_files_is_reported() {
     for blocks in [0, 1, 8, 64, 512] {
         let workbench = Workbench::with_net();
-        // blocks of 512 bytes; the signal that goes with the limit would end any program
+        // blocks of 512 bytes; the signal at the limit is ignored, else it would end the program
         let ended = shell(&workbench, &format!("trap '' XFSZ; ulimit -f {blocks}; $NETCAST run net.toml --quiet"));
         assert_cut_off(&workbench, &ended, "results/net", "File too large");
     }
 }
 
-/// A small file system, as long as it lasts; none where this user may not mount one.
+/// A small file system, unmounted on drop. There is none if this user may not mount one.
 struct FullDisk<'a>(&'a Path);
 
 impl<'a> FullDisk<'a> {
@@ -165,7 +164,7 @@ impl Drop for FullDisk<'_> {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_full_disk_is_an_error_that_says_so() {
+fn a_full_disk_is_reported() {
     let workbench = Workbench::with_net();
     let folder = workbench.path("disk");
     let mut refused = 0;
@@ -199,7 +198,7 @@ fn a_full_standard_output_is_an_error() {
     assert!(workbench.path("results/summary.json").is_file());
 }
 
-/// It was killed by the system half way, or ended in "memory allocation failed".
+/// The system killed such a run half way, or it ended in "memory allocation failed".
 #[test]
 #[cfg(target_os = "linux")]
 fn a_web_that_is_too_large_for_this_machine_is_refused_before_it_is_made() {
@@ -251,12 +250,12 @@ fn a_graph_that_is_too_large_for_this_machine_is_refused_before_it_is_drawn() {
     let workbench = Workbench::new(&[("net.toml", &net), ("nodes.csv", &nodes), ("ropes.csv", &ropes)]);
     let said = ["web.graph.ropes: 100000 segments in 100000 ropes between 100000 knots take about 160 MB of memory"];
     refused(&workbench, "ulimit -v 180000; $NETCAST check net.toml", 2, &said);
-    // the table alone
+    // the table of nodes alone is too large
     let said = ["web.graph.nodes: cannot read nodes.csv: it has more than 1 MB"];
     refused(&workbench, "ulimit -v 36000; $NETCAST check net.toml", 2, &said);
 }
 
-/// Under the tightest limit at which a run is not refused it comes to its end: what is estimated is enough.
+/// A run reaches its end under the tightest limit at which it is not refused.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_run_takes_no_more_memory_than_is_estimated() {

@@ -1,4 +1,4 @@
-//! The `netcast` command as a user meets it: what it prints, what it writes, how it ends.
+//! The `netcast` program as a user runs it: its output, its files, its exit status.
 
 mod command_line;
 mod compare;

@@ -1,4 +1,4 @@
-//! Ropes by the names of the library, and ropes for single links: what `check` says and what a result keeps.
+//! Ropes of the library and ropes for single links: the output of `check`, and the inputs that a result keeps.
 
 use crate::workbench::Workbench;
 
@@ -22,7 +22,7 @@ duration = "2 ms"
 "#;
 
 #[test]
-fn check_says_which_values_are_the_librarys_and_whose_they_are() {
+fn check_prints_library_values_with_their_sources() {
     let workbench = Workbench::new(&[("net.toml", NET)]);
     let said = workbench.succeed(&["check", "net.toml"]).stdout;
     for line in
@@ -31,7 +31,7 @@ fn check_says_which_values_are_the_librarys_and_whose_they_are() {
         assert!(said.contains(line), "{line} in\n{said}");
     }
     assert!(!said.contains("source teijin"), "{said}");
-    // what is written is nobody's but the user's
+    // a value that the user gives is not a library value
     let said = workbench.succeed(&["check", "net.toml", "--set", "rope.strength=2 kN"]).stdout;
     assert!(!said.contains("1860 N"), "{said}");
 }
@@ -47,7 +47,7 @@ fn check_lists_the_links_that_assign_can_name() {
 }
 
 #[test]
-fn a_result_keeps_the_numbers_and_says_where_they_are_from() {
+fn a_result_keeps_library_values_as_numbers_with_their_sources() {
     let workbench = Workbench::new(&[("net.toml", NET)]);
     workbench.succeed(&["run", "net.toml", "--quiet", "--out", "first"]);
     let inputs = workbench.read("first/inputs/scenario.toml");

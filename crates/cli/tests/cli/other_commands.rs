@@ -7,7 +7,7 @@ use crate::workbench::{SMALL_NET, Workbench};
 const KINDS: [&str; 9] =
     ["space", "traditional", "topological", "square", "polygon", "radial", "diamond", "graph", "held"];
 
-/// What `check` says in the row `name`, with `more` in the scenario.
+/// The row `name` of `check`, with `more` in the scenario.
 fn row(workbench: &Workbench, name: &str, more: &[&str]) -> String {
     let sets = more.iter().flat_map(|more| ["--set", more]);
     let said = workbench.succeed(&["check", "net.toml"].into_iter().chain(sets).collect::<Vec<&str>>()).stdout;
@@ -16,7 +16,7 @@ fn row(workbench: &Workbench, name: &str, more: &[&str]) -> String {
 }
 
 #[test]
-fn check_says_what_a_net_is_thrown_in() {
+fn check_prints_ground_orbit_and_fall() {
     let workbench = Workbench::with_net();
     let ground = ["environment.ground={height=\"-1.5 m\", friction=0.3, contact_time=\"2 ms\"}"];
     let row_of = |name: &str| row(&workbench, name, &ground);
@@ -31,13 +31,13 @@ fn check_says_what_a_net_is_thrown_in() {
     assert!(row(&workbench, "period", &orbit).ends_with(", 92.56 min"), "{}", row(&workbench, "period", &orbit));
 
     let fall = |air: &str| row(&workbench, "the web falls", &[air]);
-    assert!(fall("environment.air={}").ends_with("m/s at last, flat and without tractors"));
-    assert_eq!(fall("environment.air.normal_coefficient=0"), "ever faster: nothing of it drags");
-    assert_eq!(fall("environment.air={density=2000, viscosity=\"1 mPa s\"}"), "not: it floats");
+    assert!(fall("environment.air={}").ends_with("m/s in the end, flat and without tractors"));
+    assert_eq!(fall("environment.air.normal_coefficient=0"), "ever faster: it has no drag");
+    assert_eq!(fall("environment.air={density=2000, viscosity=\"1 mPa s\"}"), "not at all: it floats");
 }
 
 #[test]
-fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
+fn check_prints_materials_and_cost_and_writes_nothing() {
     let workbench = Workbench::with_net();
     let before = workbench.listing();
     let said = workbench.succeed(&["check", "net.toml"]).stdout;
@@ -53,22 +53,22 @@ fn check_says_what_it_is_made_of_and_what_it_costs_and_runs_nothing() {
     assert_eq!(value("of which inner"), "12.000 m");
     assert_eq!(value("knots, ropes"), "25, 40");
     assert_eq!(value("tractors"), "4, 1.200 kg");
-    assert_eq!(value("thrown in all"), "1.361 kg");
+    assert_eq!(value("total thrown mass"), "1.361 kg");
     assert_eq!(value("model"), "65 nodes, 80 segments");
     assert_eq!(value("area inside the outline"), "4.0000 m^2 flat");
     assert!(value("longest stretch").starts_with("none"), "{said}");
     assert!(value("step").contains(" us, at most 28.0 % of the stable "), "{said}");
     assert!(value("records").starts_with("11, "), "{said}");
-    let step: Vec<&str> = said.lines().filter(|line| line.contains("which segment")).collect();
+    let step: Vec<&str> = said.lines().filter(|line| line.contains("limited by segment")).collect();
     assert_eq!(step.len(), 1, "{said}");
-    // what it says of the steps is what a run takes
+    // a run takes the number of steps that it prints
     workbench.succeed(&["run", "net.toml", "--quiet"]);
     let count = workbench.summary("results/net")["step"]["count"].to_string();
     assert_eq!(value("steps"), format!("{count} for 0.05000 s"));
 }
 
 #[test]
-fn check_prints_what_is_known_as_json_for_a_script() {
+fn check_and_stow_print_json() {
     let workbench = Workbench::with_net();
     let before = workbench.listing();
     let json = |arguments: &[&str]| -> serde_json::Value {
@@ -92,13 +92,13 @@ fn check_prints_what_is_known_as_json_for_a_script() {
     assert!(stowed["start"]["longest_stretch"].as_f64().unwrap() <= 0.0, "{stowed}");
     assert!(stowed["packing"]["is_compared"].as_bool().unwrap(), "{stowed}");
     assert!(workbench.listing() == before, "something was written");
-    // a wrong scenario is told on standard error as ever
+    // a wrong scenario is still reported on standard error
     let ended = workbench.netcast(&["check", "net.toml", "--json", "--set", "rope.diameter=2 kg"]);
     assert_eq!((ended.status, &ended.stdout[..]), (2, ""));
 }
 
 #[test]
-fn a_choice_made_for_the_user_is_said() {
+fn a_note_tells_of_a_value_that_was_chosen() {
     let net = SMALL_NET.replace("segments_per_mesh = 2\n", "");
     let workbench = Workbench::new(&[("net.toml", &net)]);
     let said = workbench.succeed(&["check", "net.toml"]).stdout;
@@ -135,7 +135,7 @@ fn a_stowed_web_can_be_written_changed_and_run() {
     assert!(workbench.path("file/inputs/stowed.csv").is_file());
 }
 
-/// Positions are those of the launch frame, whichever way the launch points.
+/// Its positions are in the launch frame.
 #[test]
 fn a_stow_file_does_not_depend_on_the_launch() {
     let workbench = Workbench::with_net();
@@ -159,7 +159,7 @@ fn a_stow_file_that_cannot_be_written_is_named() {
 }
 
 #[test]
-fn every_kind_of_start_can_be_checked_and_run() {
+fn every_kind_of_template_can_be_checked_and_run() {
     let workbench = Workbench::new(&[]);
     for kind in KINDS {
         let file = format!("{kind}/{kind}.toml");
@@ -168,7 +168,7 @@ fn every_kind_of_start_can_be_checked_and_run() {
         workbench.succeed(&["check", &file]);
         workbench.succeed(&["run", &file, "--quiet", "--set", "solve.duration=2 ms"]);
         assert_eq!(workbench.summary(&format!("results/{kind}"))["finished"], true);
-        // commented: a line of comment for every three of the rest at least
+        // at least one line in four has a comment
         let text = workbench.read(&file);
         let (comments, lines) = (text.matches('#').count(), text.lines().filter(|line| !line.is_empty()).count());
         assert!(4 * comments >= lines, "{file}: {comments} comments in {lines} lines");
@@ -194,7 +194,7 @@ fn init_overwrites_nothing() {
 }
 
 #[test]
-fn a_report_is_written_anew_from_the_results_alone() {
+fn a_report_can_be_written_again_from_the_results_alone() {
     let workbench = Workbench::with_net();
     workbench.succeed(&["run", "net.toml", "--quiet"]);
     let page = workbench.read("results/net/report.html");
@@ -219,7 +219,7 @@ fn a_folder_without_results_has_no_report() {
 }
 
 #[test]
-fn the_schema_knows_every_key_of_a_scenario() {
+fn the_schema_describes_every_section_of_a_scenario() {
     let text = Workbench::new(&[]).succeed(&["schema"]).stdout;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
@@ -233,7 +233,7 @@ fn the_schema_knows_every_key_of_a_scenario() {
 }
 
 #[test]
-fn tractors_that_are_held_are_told() {
+fn a_note_tells_of_tractors_that_are_launched_and_held() {
     let workbench = Workbench::with_net();
     let ended = workbench.succeed(&["check", "net.toml", "--set", "hold.corners=true"]);
     assert!(

@@ -1,16 +1,16 @@
-//! `--set`: any value of the scenario, from the command line.
+//! `--set`: overrides of scenario values on the command line.
 
 use crate::workbench::Workbench;
 
 #[test]
-fn an_override_is_run_and_kept() {
+fn an_override_takes_effect_and_is_kept_among_the_inputs() {
     let workbench = Workbench::with_net();
     let set =
         ["--set", "launch.axial_speed=\"30 m/s\"", "--set", "launch.radial_speed=0", "--set", "environment.gravity=0"];
     let mut arguments = vec!["run", "net.toml", "--quiet"];
     arguments.extend(set);
     workbench.succeed(&arguments);
-    // free of weight and of pull at the start: the masses start at 30 m/s, and nothing drives them on
+    // without gravity and tension the masses start at 30 m/s and never become faster
     let tractor = &workbench.summary("results/net")["points"]["tractor"];
     assert!((tractor["peak_speed_m_s"].as_f64().unwrap() - 30.0).abs() < 1e-9, "{tractor}");
     assert!(workbench.read("results/net/inputs/scenario.toml").contains("30"));

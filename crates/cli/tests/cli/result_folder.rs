@@ -1,4 +1,4 @@
-//! The files of a run, where they go, and what is printed beside them.
+//! The files of a run, their folder, and the printed output.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ const FILES: [&str; 9] = [
 ];
 
 #[test]
-fn a_run_writes_the_files_of_the_contract_and_no_other() {
+fn a_run_writes_the_files_of_the_contract_and_no_others() {
     let workbench = Workbench::with_net();
     let ended = workbench.succeed(&["run", "net.toml"]);
     let found = listing(&workbench.path("results"));
@@ -42,7 +42,7 @@ fn a_run_writes_the_files_of_the_contract_and_no_other() {
 }
 
 #[test]
-fn history_has_a_row_a_record_and_the_columns_of_the_contract() {
+fn history_has_one_row_a_record_and_the_columns_of_the_contract() {
     let workbench = Workbench::with_net();
     workbench.succeed(&["run", "net.toml", "--quiet"]);
     let history = workbench.read("results/net/history.csv");
@@ -93,7 +93,7 @@ fn json_is_the_summary_and_nothing_else() {
 }
 
 #[test]
-fn quiet_is_quiet() {
+fn quiet_prints_nothing() {
     let workbench = Workbench::with_net();
     let ended = workbench.succeed(&["run", "net.toml", "--quiet"]);
     assert_eq!((ended.stdout, ended.stderr), (String::new(), String::new()));
@@ -101,7 +101,7 @@ fn quiet_is_quiet() {
 }
 
 #[test]
-fn a_run_replaces_its_own_result_and_keeps_what_a_user_put_there() {
+fn a_run_replaces_its_own_result_and_keeps_files_of_the_user() {
     let workbench = Workbench::with_net();
     workbench.succeed(&["run", "net.toml", "--quiet"]);
     fs::write(workbench.path("results/net/notes.txt"), "of the user").unwrap();
@@ -114,7 +114,7 @@ fn a_run_replaces_its_own_result_and_keeps_what_a_user_put_there() {
 }
 
 #[test]
-fn what_netcast_did_not_write_is_refused_and_stays() {
+fn a_folder_that_netcast_did_not_write_is_refused_and_stays() {
     let workbench = Workbench::with_net();
     fs::create_dir_all(workbench.path("thesis")).unwrap();
     fs::write(workbench.path("thesis/chapter.tex"), "years of work").unwrap();
@@ -138,7 +138,7 @@ fn what_netcast_did_not_write_is_refused_and_stays() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_folder_that_cannot_be_made_is_wrong_input_and_is_named_as_it_was_asked_for() {
+fn a_folder_that_cannot_be_made_is_wrong_input_and_is_named_as_given() {
     let ended = Workbench::with_net().netcast(&["run", "net.toml", "--out", "/proc/results"]);
     assert_eq!(ended.status, 2, "{}", ended.stderr);
     assert!(ended.stderr.contains("cannot make the folder /proc/results:"), "{}", ended.stderr);
@@ -146,7 +146,7 @@ fn a_folder_that_cannot_be_made_is_wrong_input_and_is_named_as_it_was_asked_for(
 
 /// A run whose record interval did not divide its duration ended up to a step early or late.
 #[test]
-fn a_run_ends_when_the_scenario_says_whatever_the_record_interval() {
+fn a_run_ends_at_its_duration_for_any_record_interval() {
     let workbench = Workbench::with_net();
     for every in ["7 ms", "5 ms", "11 ms", "1 s"] {
         workbench.succeed(&["run", "net.toml", "--quiet", "--set", &format!("record.every={every}")]);

@@ -1,11 +1,11 @@
-//! Runs that must agree to the last bit: on any number of threads, and from the inputs that a run kept.
+//! Runs that must agree bit by bit: on any number of threads, and from the inputs that a run kept.
 
 use std::fs;
 use std::path::Path;
 
 use crate::workbench::{SMALL_NET, Workbench};
 
-/// The files that must not differ between two equal runs; the summary without the one number that may.
+/// The files that must not differ between two equal runs; the summary without its wall time.
 fn bits(workbench: &Workbench, folder: &str) -> [(&'static str, Vec<u8>); 3] {
     let bytes = |name: &str| fs::read(workbench.path(folder).join(name)).unwrap();
     let summary = workbench.read(&format!("{folder}/summary.json"));
@@ -41,7 +41,7 @@ fn any_number_of_threads_gives_the_same_bits_of_a_small_net() {
     threads_agree(SMALL_NET);
 }
 
-/// Fine enough that the work is really shared out; pulled everywhere from the start, so that every segment counts.
+/// Fine enough that threads share the work, and under pretension, so that every segment counts.
 #[test]
 fn any_number_of_threads_gives_the_same_bits_of_a_large_net() {
     let net = SMALL_NET
@@ -64,7 +64,7 @@ fn inputs_run_again(workbench: &Workbench, scenario: &str, overrides: &[&str]) {
     workbench.succeed(&arguments);
     workbench.succeed(&["run", "first/inputs/scenario.toml", "--quiet", "--out", "second"]);
     assert_same(workbench, "first", "second");
-    // and what is resolved already resolves to itself
+    // a resolved scenario resolves to itself
     assert_eq!(workbench.read("first/inputs/scenario.toml"), workbench.read("second/inputs/scenario.toml"));
     let hash = |folder: &str| {
         let manifest: serde_json::Value =
@@ -80,14 +80,14 @@ fn the_inputs_of_a_run_give_the_same_bits_again() {
 }
 
 #[test]
-fn overrides_are_among_the_inputs() {
+fn the_inputs_of_a_run_include_its_overrides() {
     let workbench = Workbench::with_net();
     inputs_run_again(&workbench, "net.toml", &["launch.axial_speed=25 m/s", "solve.step_fraction=0.1"]);
     assert!(workbench.read("first/inputs/scenario.toml").contains("25"));
 }
 
 #[test]
-fn a_graph_net_takes_its_files_along() {
+fn the_inputs_of_a_graph_include_its_files() {
     let workbench = Workbench::with_graph();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/06_graph_net/graph_net.toml");
     inputs_run_again(&workbench, example.to_str().unwrap(), &["solve.duration=20 ms"]);
@@ -97,9 +97,8 @@ fn a_graph_net_takes_its_files_along() {
     }
 }
 
-/// Two files of one name in two folders must not become one.
 #[test]
-fn files_of_one_name_stay_two_files() {
+fn two_input_files_of_one_name_stay_two_files() {
     let workbench = Workbench::with_graph();
     for (folder, file) in [("a", "nodes.csv"), ("b", "ropes.csv")] {
         fs::create_dir(workbench.path(folder)).unwrap();

@@ -1,4 +1,4 @@
-//! A folder to work in, and commands run there.
+//! A temporary folder, and commands that run in it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -69,10 +69,10 @@ segment_length = "0.2 m"
 every = "5 ms"
 "#;
 
-/// Its nodes.
+/// The nodes of [`GRAPH_NET`].
 pub const NODES: &str = "id,x,y,z\nn1,1,1,0\nn2,-1,1,0\nn3,-1,-1,0\nn4,1,-1,0\nmiddle,0,0,0\n";
 
-/// Its ropes.
+/// The ropes of [`GRAPH_NET`].
 pub const ROPES: &str = "a,b,class\nn1,n2,outline\nn2,n3,outline\nn3,n4,outline\nn4,n1,outline\n\
                          n1,middle,radial\nn2,middle,radial\nn3,middle,radial\nn4,middle,radial\n";
 
@@ -84,9 +84,9 @@ pub struct Workbench(TempDir);
 pub struct Ended {
     /// Its exit status.
     pub status: i32,
-    /// What it printed.
+    /// Its standard output.
     pub stdout: String,
-    /// What it said on standard error.
+    /// Its standard error.
     pub stderr: String,
 }
 
@@ -127,14 +127,14 @@ impl Workbench {
         self.command(arguments).output().unwrap().into()
     }
 
-    /// Runs `netcast` and requires it to end well.
+    /// Runs `netcast` with these arguments and asserts status 0.
     pub fn succeed(&self, arguments: &[&str]) -> Ended {
         let ended = self.netcast(arguments);
         assert_eq!(ended.status, 0, "{arguments:?}: {}", ended.stderr);
         ended
     }
 
-    /// Every file and folder by its path from here, with its bytes.
+    /// Every file and folder below this one; see [`listing`].
     pub fn listing(&self) -> BTreeMap<String, Vec<u8>> {
         listing(self.0.path())
     }
@@ -160,18 +160,17 @@ impl From<Output> for Ended {
     }
 }
 
-/// Every file and folder below `folder`, with its bytes; none for a folder.
+/// Every file and folder below `folder` by its relative path, with its bytes; a folder has none.
 pub fn listing(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     fn walk(root: &Path, folder: &Path, found: &mut BTreeMap<String, Vec<u8>>) {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
-            match path.is_dir() {
-                true => {
-                    found.insert(format!("{name}/"), Vec::new());
-                    walk(root, &path, found);
-                }
-                false => drop(found.insert(name, fs::read(&path).unwrap())),
+            if path.is_dir() {
+                found.insert(format!("{name}/"), Vec::new());
+                walk(root, &path, found);
+            } else {
+                found.insert(name, fs::read(&path).unwrap());
             }
         }
     }

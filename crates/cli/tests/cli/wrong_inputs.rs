@@ -1,10 +1,10 @@
-//! Wrong inputs: each is refused with status 2 and a message that says where and what to do, and nothing is written.
+//! Wrong inputs: each ends with status 2 and a message with place and advice, and nothing is written.
 
 use std::fs;
 
 use crate::workbench::{GRAPH_NET, NODES, ROPES, SMALL_NET, Workbench};
 
-/// Runs `net.toml` of `workbench`, which must be refused; the message.
+/// Runs `net.toml`, asserts that it is refused and nothing is written, and returns the message.
 fn refused(workbench: &Workbench) -> String {
     let before = workbench.listing();
     let ended = workbench.netcast(&["run", "net.toml"]);
@@ -12,21 +12,21 @@ fn refused(workbench: &Workbench) -> String {
     assert_eq!(ended.stdout, "");
     assert!(workbench.listing() == before, "something was written");
     assert!(ended.stderr.trim_end().ends_with("nothing was written"), "{}", ended.stderr);
-    // what reads the scenario refuses it too
+    // other commands refuse the scenario, too
     for command in ["check", "stow"] {
         assert_eq!(workbench.netcast(&[command, "net.toml"]).status, 2, "netcast {command}");
     }
     ended.stderr
 }
 
-/// The small net with one passage changed, which must be refused.
+/// Changes one passage of the small net and asserts that it is refused.
 #[track_caller]
 fn net_with(from: &str, to: &str) -> String {
     assert!(SMALL_NET.contains(from), "{from}");
     refused(&Workbench::new(&[("net.toml", &SMALL_NET.replacen(from, to, 1))]))
 }
 
-/// The graph net with one passage changed in one of its files, which must be refused.
+/// Changes one passage in a file of the graph net and asserts that it is refused.
 #[track_caller]
 fn graph_with(file: &str, from: &str, to: &str) -> String {
     let mut files =
@@ -45,7 +45,7 @@ fn assert_says(message: &str, all: &[&str]) {
 }
 
 #[test]
-fn all_errors_are_told_at_once_each_with_its_place_and_the_nearest_key() {
+fn all_mistakes_are_reported_at_once_with_place_and_nearest_key() {
     let text = SMALL_NET
         .replace("side = \"2 m\"", "side = \"2.5 kg\"")
         .replace("diameter", "diametre")
@@ -68,7 +68,7 @@ fn all_errors_are_told_at_once_each_with_its_place_and_the_nearest_key() {
 }
 
 #[test]
-fn numbers_that_cannot_be_are_refused() {
+fn impossible_numbers_are_refused() {
     for (value, said) in [
         ("\"-3 mm\"", "greater than 0"),
         ("\"0 mm\"", "greater than 0"),
@@ -89,7 +89,7 @@ fn numbers_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn a_scenario_that_is_not_there_or_no_text_is_named() {
+fn a_missing_or_binary_scenario_is_named() {
     let workbench = Workbench::new(&[]);
     assert_says(&refused(&workbench), &["cannot read net.toml: No such file"]);
     fs::create_dir(workbench.path("net.toml")).unwrap();
@@ -102,7 +102,7 @@ fn a_scenario_that_is_not_there_or_no_text_is_named() {
 }
 
 #[test]
-fn a_mesh_that_does_not_fit_is_shown_with_one_that_does() {
+fn a_mesh_that_does_not_divide_the_side_is_reported_with_one_that_does() {
     assert_says(
         &net_with("mesh = \"0.5 m\"", "mesh = \"0.3 m\""),
         &["--> net.toml:5:8", "0.333333 m or 0.285714 m would"],
@@ -113,16 +113,16 @@ fn a_mesh_that_does_not_fit_is_shown_with_one_that_does() {
     );
 }
 
-/// These were shown at `web.square.cells_per_side` and at `solve.segment_length`, which a square net does not have.
+/// The mistakes were reported at `web.square.cells_per_side` and at `solve.segment_length`. A square net has neither key.
 #[test]
-fn a_net_cut_too_fine_is_shown_where_it_says_so() {
+fn too_fine_a_net_is_reported_at_the_key_that_makes_it_so() {
     assert_says(&net_with("mesh = \"0.5 m\"", "mesh = \"1 nm\""), &["web.square.mesh:", "--> net.toml:5:8"]);
     let message = net_with("segments_per_mesh = 2", "segments_per_mesh = 2000000000");
     assert_says(&message, &["web.square.segments_per_mesh:", "--> net.toml:6:21", "at most"]);
 }
 
 #[test]
-fn a_stowing_that_stretches_is_refused() {
+fn a_packing_that_stretches_ropes_is_refused() {
     let pretension =
         SMALL_NET.replace("\"5 GPa\"", "\"5 GPa\"\npretension = \"10 N\"").replace("factor = 0.25", "factor = 1.0");
     let message = refused(&Workbench::new(&[("net.toml", &pretension)]));
@@ -138,7 +138,7 @@ fn a_stowing_that_stretches_is_refused() {
         &message,
         &["stow.bag.depth:", "--> net.toml:18:9", "a bag 9 m deep would stretch", "it can be at most"],
     );
-    // the depth that is offered is one that works
+    // the offered depth works
     let offered = message.split("at most ").nth(1).unwrap().split(' ').next().unwrap();
     let rounded_down = offered.parse::<f64>().unwrap() - 1e-4;
     let net = SMALL_NET.replace("[stow.scale]\nfactor = 0.25", &deep.replace('9', &rounded_down.to_string()));
@@ -148,7 +148,7 @@ fn a_stowing_that_stretches_is_refused() {
     assert_says(&message, &["stow.bag.radius:", "at most the web's own"]);
 }
 
-/// The path of the second was written `hold.nodes.0`, unlike every other.
+/// The path of an unknown node was `hold.nodes.0` instead of `hold.nodes[0]`.
 #[test]
 fn names_of_nodes_corners_ropes_and_classes_are_checked() {
     let message = net_with("[launch]", "[hold]\nnodes = [\"nowhere\"]\n\n[launch]");
@@ -176,7 +176,7 @@ fn a_launch_without_tractors_is_refused() {
 }
 
 #[test]
-fn an_empty_graph_is_refused_and_said_once() {
+fn an_empty_graph_is_reported_once() {
     let message = graph_with("nodes.csv", &NODES["id,x,y,z\n".len()..], "");
     assert_says(&message, &["web.graph.nodes: no nodes", "--> nodes.csv:1:1", "1 error;"]);
     let message = graph_with("ropes.csv", &ROPES["a,b,class\n".len()..], "");
@@ -185,7 +185,7 @@ fn an_empty_graph_is_refused_and_said_once() {
 }
 
 #[test]
-fn a_web_in_pieces_names_a_knot_of_two_of_them() {
+fn a_web_in_pieces_is_refused_with_a_knot_of_two_of_them() {
     let files = [
         ("net.toml", GRAPH_NET.to_owned()),
         ("nodes.csv", format!("{NODES}far,9,9,0\nout,9,8,0\n")),
@@ -196,13 +196,13 @@ fn a_web_in_pieces_names_a_knot_of_two_of_them() {
 }
 
 #[test]
-fn a_missing_file_is_shown_where_it_is_named() {
+fn a_missing_file_is_reported_at_its_key() {
     let message = graph_with("net.toml", "\"nodes.csv\"", "\"nods.csv\"");
     assert_says(&message, &["web.graph.nodes: cannot read nods.csv: No such file", "--> net.toml:4:9"]);
 }
 
 #[test]
-fn bad_rows_are_told_with_their_lines_and_columns() {
+fn wrong_rows_are_reported_with_line_and_column() {
     let nodes =
         NODES.replace("n2,-1,1,0", "n2,-1,one,0").replace("n4,1,-1,0", "n4,1,-1").replace("middle,0", "middle,nan");
     let ropes = ROPES.replace("n2,n3", "n2,n2").replace("n4,middle", "n9,middle");
@@ -225,7 +225,7 @@ fn bad_rows_are_told_with_their_lines_and_columns() {
 }
 
 #[test]
-fn ropes_and_lists_of_a_graph_must_make_sense() {
+fn contradictions_within_a_graph_are_reported() {
     assert_says(
         &graph_with("nodes.csv", "n2,-1,1,0", "n1,-1,1,0"),
         &["node \"n1\" is already in line 2", "--> nodes.csv:3:1"],
@@ -242,7 +242,7 @@ fn ropes_and_lists_of_a_graph_must_make_sense() {
 }
 
 #[test]
-fn a_stow_file_must_know_every_knot_and_no_other() {
+fn a_stow_file_must_name_every_knot_and_no_other() {
     let stowed = GRAPH_NET.replace("[stow.scale]\nfactor = 0.5", "[stow.file]\npath = \"stowed.csv\"");
     let with = |rows: &str| {
         let files = [("net.toml", &stowed[..]), ("nodes.csv", NODES), ("ropes.csv", ROPES), ("stowed.csv", rows)];
@@ -257,7 +257,7 @@ fn a_stow_file_must_know_every_knot_and_no_other() {
 /// A class called "tension" doubled a column and ended with status 1; one called "canopy" was left out of the largest
 /// tension.
 #[test]
-fn names_that_mean_something_else_in_the_results_are_refused() {
+fn names_reserved_in_the_results_are_refused() {
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,tension");
     assert_says(&message, &["the link class \"tension\" is reserved for the largest tension", "ropes.csv:6:11"]);
     let message = graph_with("ropes.csv", "n1,middle,radial", "n1,middle,Canopy");
@@ -266,7 +266,7 @@ fn names_that_mean_something_else_in_the_results_are_refused() {
     assert_says(&message, &["\"tractor\" is followed in every run already", "\"a,b\" has other characters"]);
 }
 
-/// Both were started, one to be killed for want of memory, the other with a number of steps that had overflowed.
+/// Both runs were started. One was killed for lack of memory, the number of steps of the other overflowed.
 #[test]
 fn a_run_that_would_never_end_is_refused() {
     let message = net_with("every = \"5 ms\"", "every = 1e-12");
@@ -276,7 +276,7 @@ fn a_run_that_would_never_end_is_refused() {
 }
 
 #[test]
-fn what_only_the_drawn_web_shows_is_told_at_once_too() {
+fn mistakes_found_in_the_drawn_web_are_reported_at_once() {
     let text = SMALL_NET.replace("factor = 0.25", "factor = 1.0").replace("[rope]", "[rope]\npretension = \"5 N\"")
         + "\n[assign]\nring = \"thin\"\n\n[ropes.thin]\ndiameter = \"3 mm\"\ndensity = 1140\nelastic_modulus = \"5 GPa\"\n\
            \n[hold]\nnodes = [\"n77\"]\n\n[[tractors]]\ncorner = 9\nparticle = { mass = 1 }\n";

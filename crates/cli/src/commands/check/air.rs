@@ -1,10 +1,10 @@
-//! What `netcast check` says of the air and the wind.
+//! The part of `netcast check` about air and wind.
 
 use netcast::facts::{AirFacts, BodiesInAir, Fall, WindFacts};
 
 use crate::screen::{number, rows, say};
 
-/// The medium, the wind, what drags.
+/// Prints the medium, the wind, the drag of each part, solidity, buoyancy and fall.
 pub fn air(air: &AirFacts) {
     say!("Air");
     let mut lines = vec![("medium".into(), medium(air))];
@@ -38,21 +38,23 @@ pub fn air(air: &AirFacts) {
     rows(&lines);
 }
 
+/// A fall in words.
 fn in_words(fall: Fall) -> String {
     match fall {
-        Fall::TerminalSpeedMS(speed) => format!("{} m/s at last, flat and without tractors", number(speed, 4)),
-        Fall::Floats => "not: it floats".into(),
-        Fall::Unhindered => "ever faster: nothing of it drags".into(),
+        Fall::TerminalSpeedMS(speed) => format!("at {} m/s in the end, flat and without tractors", number(speed, 4)),
+        Fall::Floats => "not at all: it floats".into(),
+        Fall::Unhindered => "ever faster: it has no drag".into(),
     }
 }
 
+/// Kind, density and viscosity of the medium.
 fn medium(air: &AirFacts) -> String {
     let what = air.altitude_m.map_or("as given".into(), |altitude| format!("standard atmosphere at {altitude} m"));
     let (density, viscosity) = (number(air.density_kg_m3, 4), number(1e3 * air.viscosity_pa_s, 4));
     format!("{what}: {density} kg/m^3, {viscosity} mPa s")
 }
 
-/// The mean of the wind, and how much it changes.
+/// The mean wind, and the largest gust.
 fn wind(wind: &WindFacts) -> String {
     let most = number(wind.change_max_m_s, 3);
     let Some(mean) = wind.mean else { return format!("as measured, at most {most} m/s") };
@@ -62,6 +64,7 @@ fn wind(wind: &WindFacts) -> String {
     format!("{here} m/s at the muzzle, {above} m/s at 10 m, towards {towards} deg from x{changes}")
 }
 
+/// Number and size of the bodies in the air; none without bodies.
 fn bodies(bodies: &BodiesInAir) -> Option<String> {
     let BodiesInAir { count, area_max_m2, hidden, sizeless } = *bodies;
     let dragging = (count > 0).then(|| format!("{count}, {} m^2 at most", number(area_max_m2, 3)));
@@ -71,10 +74,11 @@ fn bodies(bodies: &BodiesInAir) -> Option<String> {
     (!told.is_empty()).then(|| told.join("; "))
 }
 
+/// The solidity of the drawn web, and the one that sets the drag.
 fn solidity(air: &AirFacts) -> String {
     let drawn = air.drawn_solidity.map(|drawn| format!("{} as drawn", number(drawn, 3)));
     let taken = match air.screen_solidity {
-        Some(taken) => format!("the ropes drag as those of a screen of {}", number(taken, 3)),
+        Some(taken) => format!("the ropes drag as a screen of solidity {}", number(taken, 3)),
         None => "each rope drags as if alone".into(),
     };
     drawn.into_iter().chain([taken]).collect::<Vec<_>>().join("; ")

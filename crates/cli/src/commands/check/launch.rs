@@ -1,11 +1,11 @@
-//! What `netcast check` says of tractors, their launch, and what holds the web until it breaks.
+//! The part of `netcast check` about tractors, their launch, break ties and stitches.
 
 use netcast::Facts;
 use netcast::facts::{BodyFacts, Pushed, Tied};
 
 use crate::screen::{number, rows, say};
 
-/// Bodies that ropes can turn; those that are alike share a line.
+/// Prints the rigid bodies. Equal bodies share a line.
 pub fn bodies(bodies: &[BodyFacts]) {
     let mut lines: Vec<(String, Vec<u32>)> = Vec::new();
     for body in bodies {
@@ -25,13 +25,13 @@ pub fn bodies(bodies: &[BodyFacts]) {
     rows(&lines.into_iter().map(|(told, corners)| (named(&corners), told)).collect::<Vec<_>>());
 }
 
-/// The tractors at some corners.
+/// The name of the tractors at `corners`.
 fn named(corners: &[u32]) -> String {
     let numbers: Vec<String> = corners.iter().map(u32::to_string).collect();
     format!("tractor {}", numbers.join(", "))
 }
 
-/// How tractors are launched, where that is more than a speed for all.
+/// Prints spin and throws, unless all tractors have one plain speed.
 pub fn launch(facts: &Facts) {
     let mut lines = Vec::new();
     if let Some(spin) = facts.spin_rad_s {
@@ -56,7 +56,7 @@ pub fn launch(facts: &Facts) {
     }
 }
 
-/// What holds the web until it breaks.
+/// Prints break ties and stitches.
 pub fn ties(ties: &[Tied]) {
     if ties.is_empty() {
         return;
@@ -68,8 +68,8 @@ pub fn ties(ties: &[Tied]) {
         } else {
             format!("{least} to {} N", number(tied.largest_load_n, 4))
         };
-        (tied.kind.clone(), format!("{}, let go at {load}; they weigh nothing", tied.count))
+        (tied.kind.clone(), format!("{}, break at {load}; they have no mass", tied.count))
     };
-    say!("Held until it breaks");
+    say!("Ties and stitches");
     rows(&ties.iter().map(line).collect::<Vec<_>>());
 }

@@ -1,10 +1,10 @@
-//! What `netcast check` says of materials.
+//! The part of `netcast check` about materials.
 
 use netcast::facts::{BillFacts, FromLibrary, LawFacts, LawKind, LinkFacts};
 
 use crate::screen::{number, rows, say};
 
-/// What it is made of.
+/// Prints the bill of materials.
 pub fn bill(bill: &BillFacts) {
     say!("Bill of materials");
     let mut lines = Vec::new();
@@ -23,7 +23,7 @@ pub fn bill(bill: &BillFacts) {
         lines.push((name.into(), format!("{}, {} kg", counted.count, number(counted.mass_kg, 4))));
     }
     lines.push(("web without traction ropes".into(), format!("{} kg", number(bill.web_mass_kg, 4))));
-    lines.push(("thrown in all".into(), format!("{} kg", number(bill.thrown_mass_kg, 4))));
+    lines.push(("total thrown mass".into(), format!("{} kg", number(bill.thrown_mass_kg, 4))));
     let litres = number(1e3 * bill.packed_volume_m3, 3);
     let solid = number(100.0 * bill.packed_fill, 2);
     lines.push(("packed volume".into(), format!("{litres} litres, {solid} % of it solid")));
@@ -36,7 +36,7 @@ pub fn bill(bill: &BillFacts) {
     rows(&lines);
 }
 
-/// By which law each rope pulls, and at what it breaks.
+/// Prints the law of each rope and its breaking load and strain.
 pub fn laws(laws: &[LawFacts]) {
     say!("Laws of ropes");
     let mut lines: Vec<(String, String)> = Vec::new();
@@ -57,6 +57,7 @@ pub fn laws(laws: &[LawFacts]) {
     rows(&lines);
 }
 
+/// A law in words.
 fn in_words(law: &LawKind) -> String {
     let times = |ratio: f64| format!("{} times the modulus", number(ratio, 4));
     match *law {
@@ -74,7 +75,7 @@ fn in_words(law: &LawKind) -> String {
     }
 }
 
-/// What `[assign]` may name.
+/// Prints the links by the names that `[assign]` accepts.
 pub fn links(links: &[LinkFacts]) {
     say!("Links");
     let described = links.iter().map(|link| {
@@ -84,7 +85,7 @@ pub fn links(links: &[LinkFacts]) {
     rows(&described.collect::<Vec<_>>());
 }
 
-/// Which values are the library's, and whose they are.
+/// Prints the values that come from the library, with their sources.
 pub fn from_library(library: &FromLibrary) {
     say!("From the library of materials");
     let mut lines: Vec<(String, String)> = Vec::new();

@@ -1,10 +1,10 @@
-//! What `netcast check` says of the orbit, the ground, loads and drives.
+//! The part of `netcast check` about the orbit, the ground, loads and drives.
 
 use netcast::facts::{ActingFacts, GroundFacts, OrbitFacts};
 
 use crate::screen::{number, rows, say};
 
-/// How fast the orbit is gone round.
+/// Prints mean motion and period of the orbit.
 pub fn orbit(orbit: &OrbitFacts) {
     let period = orbit.period_s;
     say!("Orbit");
@@ -14,7 +14,7 @@ pub fn orbit(orbit: &OrbitFacts) {
     ]);
 }
 
-/// Where the ground is, how it answers, what touches it.
+/// Prints height and contact of the ground, and the number of nodes that can touch it.
 pub fn ground(ground: &GroundFacts) {
     let level = number(ground.height_m.abs(), 4);
     let height = if ground.height_m == 0.0 {
@@ -39,21 +39,20 @@ pub fn ground(ground: &GroundFacts) {
     ]);
 }
 
-/// Loads and drives.
+/// Prints loads and drives.
 pub fn acting(acting: &ActingFacts) {
     let mut lines = Vec::new();
     if let Some(loads) = &acting.loads {
         let [x, y, z] = loads.force_n.map(|sum| number(sum, 4));
-        let ramped =
-            if loads.ramped > 0 { format!(", {} of them brought up in time", loads.ramped) } else { String::new() };
+        let ramped = if loads.ramped > 0 { format!(", {} of them with a ramp", loads.ramped) } else { String::new() };
         lines.push(("loads".into(), format!("{} on nodes, {x}, {y}, {z} N in all{ramped}", loads.nodes)));
     }
     if let Some(drives) = &acting.drives {
-        let told = format!("{} nodes moved, the last until {} s", drives.nodes, number(drives.until_s, 4));
+        let told = format!("{} nodes, the last until {} s", drives.nodes, number(drives.until_s, 4));
         lines.push(("drives".into(), told));
     }
     if !lines.is_empty() {
-        say!("What acts on it");
+        say!("Loads and drives");
         rows(&lines);
     }
 }
