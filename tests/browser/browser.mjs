@@ -1,4 +1,4 @@
-// A Chromium that reaches no network and whose every complaint is a failure; WebGL is drawn in software.
+// A Chromium without network. Every error on its console is a failure; WebGL is drawn in software.
 
 import { chromium } from "playwright-core";
 
@@ -6,11 +6,11 @@ const ARGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignor
 export const DESKTOP = { viewport: { width: 1440, height: 1000 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-/** The browser; another than Debian's by the variable CHROMIUM. */
+/** The path of the browser: the variable CHROMIUM, or else that of Debian. */
 export const launch = () =>
   chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ARGS });
 
-/** Opens a file in a context of its own and waits until all of it stands. `before` runs ahead of the page's scripts. */
+/** Opens a file in a new context and waits until the page is complete. `before` runs ahead of the page's scripts. */
 export async function open(browser, file, options = DESKTOP, before = null) {
   const context = await browser.newContext({ colorScheme: "light", reducedMotion: "no-preference", ...options });
   await context.setOffline(true);
@@ -30,18 +30,18 @@ export async function open(browser, file, options = DESKTOP, before = null) {
   return { page, context, complaints };
 }
 
-/** When what was asked for has been drawn. */
+/** Waits until pending drawing is done. */
 export const settled = (page) =>
   page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))),
   );
 
 /**
- * What an element shows: how many of its pixels differ from its background, how many are vivid, as ropes and nothing
- * else are, how bright its background is (0 to 1), and a sum that tells two pictures apart.
+ * Figures of an element's picture: the number of pixels that differ from its background, the number of vivid ones (only ropes
+ * are vivid), the brightness of the background (0 to 1), and a checksum that distinguishes pictures.
  */
 export async function look(page, selector) {
-  // words have colours of their own
+  // text has colours of its own
   const style = ".replay-state, .replay-title, .replay-labels { visibility: hidden !important; }";
   const picture = (await page.locator(selector).first().screenshot({ style })).toString("base64");
   return page.evaluate(async (picture) => {
@@ -68,7 +68,7 @@ export async function look(page, selector) {
   }, picture);
 }
 
-/** What stands out over the right edge of the window, but for what scrolls within itself. */
+/** The elements beyond the right edge of the window, except those inside a scrolling element. */
 export const overflowing = (page) =>
   page.evaluate(() => {
     const scrolls = (element) =>
@@ -86,7 +86,7 @@ export const overflowing = (page) =>
       : names;
   });
 
-/** Puts one or two fingers down, moves them along straight lines and lifts them. Each finger: [[x, y], [x, y]]. */
+/** Puts one or two fingers down, moves them along straight lines and lifts them. A finger is [[x, y], [x, y]]. */
 export async function touch(page, ...fingers) {
   const client = await page.context().newCDPSession(page);
   const points = (share) =>
@@ -103,7 +103,7 @@ export async function touch(page, ...fingers) {
   await settled(page);
 }
 
-/** Collects what does not hold, so that one run tells all of it. */
+/** Collects failed checks, so that one run reports all of them. */
 export class Checks {
   failures = [];
 

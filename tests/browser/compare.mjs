@@ -1,5 +1,5 @@
-// node compare.mjs FOLDER...: every comparison is opened offline and looked at: views in step, one camera, cursors, table.
-// One JSON line a comparison: bytes, opening time, frames a second in software. Exit status 1 where anything does not hold.
+// node compare.mjs FOLDER... opens each comparison offline and checks its views, common camera, cursors and table. It prints
+// one JSON line a comparison: bytes, opening time, frames a second in software. Exit status 1 if a check fails.
 
 import { readFileSync, statSync } from "node:fs";
 import { basename, resolve } from "node:path";
@@ -10,7 +10,7 @@ const seek = async (page, at) => {
   await settled(page);
 };
 
-/** All views, brought into sight one after the other: nothing is drawn that nobody sees. */
+/** All views, scrolled into sight one after the other: views out of sight are not drawn. */
 async function views(page, count) {
   const seen = [];
   for (let place = 0; place < count; place++) {
@@ -57,7 +57,7 @@ async function plays(page, checks) {
   return fps;
 }
 
-/** Every figure has its cursor at the replay's time, and a design's curve in its own colour and dash in all of them. */
+/** Every figure has its cursor at the time of the replay, and each design has one colour and dash in all figures. */
 async function overlaid(page, checks, summary) {
   const { figures, duration } = await page.evaluate(() => ({ figures: netcast.charts.charts.map(({ figure }) => figure.id), duration: netcast.player.duration }));
   checks.holds("there are curves", figures.length > 3, figures);
@@ -83,7 +83,7 @@ async function overlaid(page, checks, summary) {
   checks.holds("no two designs look alike", new Set(looks.values()).size === summary.designs.length, [...looks]);
 }
 
-/** The page says what the summary says. */
+/** The page has the numbers of the summary. */
 async function tabled(page, checks, summary) {
   const table = await page.evaluate(() => [...document.querySelectorAll(".came-out tbody tr")]
     .map((row) => [row.title, [...row.querySelectorAll(".best")].length]));

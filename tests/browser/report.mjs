@@ -1,5 +1,5 @@
-// node report.mjs FOLDER...: every report.html is opened offline, looked at, played, scrubbed, turned and pinched.
-// One JSON line a report: bytes, opening time, frames a second in software. Exit status 1 where anything does not hold.
+// node report.mjs FOLDER... opens each report.html offline, plays it, moves its slider, turns and pinches its view. It prints
+// one JSON line a report: bytes, opening time, frames a second in software. Exit status 1 if a check fails.
 
 import { statSync } from "node:fs";
 import { basename, resolve } from "node:path";
@@ -134,7 +134,7 @@ async function turns(page, checks) {
   }
 }
 
-/** The cursor stands where plotly has the time, and a press in a figure moves the replay there. */
+/** The cursor is at the place of the time in plotly's axis, and a press in a figure moves the replay to its time. */
 async function linked(page, checks) {
   const figures = await page.evaluate(() => netcast.charts.charts.map(({ figure }) => figure.id));
   const duration = await page.evaluate(() => netcast.player.duration);
@@ -169,7 +169,7 @@ async function linked(page, checks) {
       [id, 0.4 * width],
     );
     checks.near(`a press in ${id}`, await time(page), Math.min(duration, Math.max(0, asked)), 0.01 * duration);
-    // who seeks there sees the replay
+    // a user who seeks there sees the replay
     const box = await page.locator(STAGE).boundingBox();
     checks.holds(`the replay is in sight beside ${id}`, box.y > -box.height / 2 && box.y < 1000 - box.height / 2, box);
     if (await page.locator(".replay-close").isVisible()) await page.locator(".replay-close").click();
@@ -253,7 +253,7 @@ async function check(browser, folder) {
   await phone(browser, file, checks);
   await withoutWebGl(browser, file, checks);
 
-  // opening again, now that the browser itself is warm
+  // the opening time of a second opening: the browser has started by now
   const again = await open(browser, file);
   const [painted, replay, curves] = await again.page.evaluate(() =>
     ["first-contentful-paint", "replay", "curves"].map((name) => performance.getEntriesByName(name)[0]?.startTime),

@@ -1,5 +1,5 @@
-// node screenshots.mjs REPORT COMPARISON [IMAGES]: report.png, report-dark.png and report-phone.png of a result folder,
-// compare.png of a comparison's.
+// node screenshots.mjs REPORT COMPARISON [IMAGES] writes report.png, report-dark.png and report-phone.png of a result folder
+// and compare.png of the folder of a comparison.
 
 import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";

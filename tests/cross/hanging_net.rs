@@ -1,6 +1,5 @@
-//! The hanging net, run until it rests and by `[solve.static]`, against its static equilibrium found in another way: the least of the
-//! potential energy of lumped masses and tension-only springs, by Newton's method. The net is built anew here from its
-//! dimensions.
+//! The hanging net, at rest after a run and by `[solve.static]`, against a second method: the minimum of the potential energy
+//! of lumped masses and tension-only springs, found by Newton's method. The net is built here from its dimensions.
 
 use crate::support::Run;
 use glam::{DMat3, DVec3};
@@ -90,12 +89,13 @@ impl Grid {
         x.iter().zip(&self.free).map(|(x, place)| place.map_or(*x, |p| *x + shift(p))).collect()
     }
 
-    /// The equilibrium: Newton's method, held back (Levenberg) where a step would not lower the energy.
+    /// Positions of the knots in equilibrium, m. Newton's method, damped after Levenberg if a step would not lower the
+    /// energy.
     fn rest(&self) -> Vec<DVec3> {
         let n = MESHES + 1;
         let at = |i: usize| i as f64 * MESH - 0.5 * SIDE;
         let mut x: Vec<DVec3> = (0..n * n).map(|k| DVec3::new(at(k % n), at(k / n), 0.0)).collect();
-        let mut held_back = AXIAL_STIFFNESS;
+        let mut damping = AXIAL_STIFFNESS;
         for _ in 0..500 {
             let (energy, gradient, curvature) = self.energy(&x);
             if gradient.amax() < 1e-12 {
@@ -103,15 +103,15 @@ impl Grid {
             }
             let size = gradient.len();
             loop {
-                let matrix = &curvature + DMatrix::identity(size, size) * held_back;
+                let matrix = &curvature + DMatrix::identity(size, size) * damping;
                 let way = matrix.cholesky().expect("a positive definite matrix").solve(&(-&gradient));
                 let next = self.moved(&x, &way);
                 let (lower, steeper, _) = self.energy(&next);
                 if lower < energy || steeper.amax() < gradient.amax() {
-                    (x, held_back) = (next, (0.2 * held_back).max(1e-9));
+                    (x, damping) = (next, (0.2 * damping).max(1e-9));
                     break;
                 }
-                held_back *= 10.0;
+                damping *= 10.0;
             }
         }
         panic!("no equilibrium found");
@@ -124,7 +124,7 @@ fn the_hanging_net_comes_to_rest_in_its_static_equilibrium() {
     let last = run.fields.times.len() - 1;
     let exact = Grid::new().rest();
 
-    // knots are the first nodes, in the same order; with one segment a mesh there are no others
+    // with one segment a mesh all nodes are knots, in the same order as here
     let found = run.fields.positions(last);
     assert_eq!(found.len(), exact.len());
     let fastest = run.fields.velocities(last).iter().map(|v| v.length()).fold(0.0, f64::max);

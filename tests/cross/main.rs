@@ -1,4 +1,4 @@
-//! Runs held against a second method of our own or somebody else's program.
+//! Runs held against a second method of our own or against another program.
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -4,8 +4,8 @@
 //! sag in the middle = 5 q L^4 / (384 EI),        first period = (2 L^2 / pi) sqrt(mu / EI)
 //! ```
 //!
-//! (Timoshenko, Strength of Materials; Vibration Problems in Engineering.) Knots turn freely, so a rope between two of
-//! them is hinged. It has next to no axial stiffness: else its supports, which do not give way, would hold it up.
+//! (Timoshenko, Strength of Materials; Vibration Problems in Engineering.) Knots turn freely, so a rope between two knots
+//! is hinged. Its axial stiffness is negligible: else tension between the fixed supports would hold it up.
 
 use std::f64::consts::PI;
 
@@ -13,11 +13,11 @@ use crate::support::{Run, assert_close};
 
 const EI: f64 = 2.0;
 const SEGMENTS: usize = 20;
-/// Mass per length of 10 mm at 1000 kg/m^3, which is its weight too, and the span is 1 m.
+/// Mass per length, kg/m, of a rope of 10 mm at 1000 kg/m^3. Gravity is 1 m/s^2 and the span 1 m.
 const MU: f64 = 1000.0 * 0.25 * PI * 1e-4;
 const SAG: f64 = 5.0 * MU / (384.0 * EI);
 
-/// Times, s, and heights, m, of the middle of a rope whose weight, at 1 m/s^2, is put on at once.
+/// Times, s, and heights, m, of the middle of the rope after its weight is suddenly applied.
 fn beam(damping: f64, duration: f64) -> (Vec<f64>, Vec<f64>) {
     let scenario = format!(
         "rope = {{ diameter = 0.01, density = 1000, elastic_modulus = 1e5, damping_ratio = 0, bending_stiffness = {EI} }}\n\
@@ -41,8 +41,8 @@ fn a_rope_that_resists_bending_sags_as_a_beam() {
 }
 
 #[test]
-fn it_swings_as_a_beam() {
-    // about the sag, in the first shape but for a share of 1/243 of the third
+fn a_rope_that_resists_bending_vibrates_as_a_beam() {
+    // it vibrates about its sag in the first mode, with 1/243 of the third
     let (time, height) = beam(0.0, 1.2);
     let rising = |&i: &usize| height[i - 1] < -SAG && height[i] >= -SAG;
     let crossing =

@@ -1,7 +1,7 @@
-//! A rope that hangs between two ends of one height, against the elastic catenary (Irvine, Cable Structures, 1981).
+//! A rope that hangs between two ends of equal height, against the elastic catenary (Irvine, Cable Structures, 1981).
 //!
-//! With s the unstretched length from one end, S the whole of it, W the weight, H the horizontal and V = W/2 the
-//! vertical reaction:
+//! s is the unstretched length from one end, S the whole length, W the weight, H the horizontal and V = W/2 the vertical
+//! reaction:
 //!
 //! ```text
 //! x(s) = H s/EA + (H S/W) [asinh(V/H) - asinh((V - W s/S)/H)],                              x(S) = span gives H
@@ -9,7 +9,7 @@
 //! T(s) = sqrt(H^2 + (V - W s/S)^2)
 //! ```
 //!
-//! A rope of N segments hangs in a polygon, and misses by a part in N^2.
+//! A rope of N segments hangs in a polygon; its error falls with 1/N^2.
 
 use crate::support::Run;
 
@@ -29,14 +29,12 @@ struct Catenary {
 impl Catenary {
     fn new() -> Catenary {
         let weight = DENSITY * SECTION * LENGTH * GRAVITY;
-        // the span that a horizontal reaction holds grows with it
+        // the span grows with the horizontal reaction: bisection
         let (mut low, mut high) = (1e-3 * weight, 1e3 * weight);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            match (Catenary { weight, horizontal: middle }).x(LENGTH) > SPAN {
-                true => high = middle,
-                false => low = middle,
-            }
+            let is_too_wide = Catenary { weight, horizontal: middle }.x(LENGTH) > SPAN;
+            if is_too_wide { high = middle } else { low = middle }
         }
         Catenary { weight, horizontal: low }
     }
@@ -63,7 +61,7 @@ impl Catenary {
     }
 }
 
-/// Errors of sag in the middle, m, and of the tension at the ends, N, of a rope of so many segments brought to rest.
+/// Errors of the sag in the middle, m, and of the tension of the end segment, N, of a rope at rest.
 fn errors(segments: usize) -> (f64, f64) {
     let scenario = format!(
         "rope = {{ diameter = \"10 mm\", density = {DENSITY}, elastic_modulus = {MODULUS} }}\n\
@@ -74,7 +72,7 @@ fn errors(segments: usize) -> (f64, f64) {
     let run = Run::graph(&scenario, &nodes, &format!("a,b,rest_length,segments\nleft,right,{LENGTH},{segments}\n"));
     let last = run.fields.times.len() - 1;
     let lowest = run.fields.positions(last).iter().map(|x| x.z).fold(0.0, f64::min);
-    // the end segment has the tension at its own middle
+    // the end segment has the tension of the catenary at its middle
     let (tension, ends) = (run.fields.tensions(last)[0], 0.5 * LENGTH / segments as f64);
 
     let exact = Catenary::new();
@@ -89,14 +87,14 @@ fn errors(segments: usize) -> (f64, f64) {
 
 #[test]
 fn sag_and_end_tension_of_a_hanging_rope_converge_at_second_order() {
-    let of_each: Vec<(f64, f64)> = [8, 16, 32].into_iter().map(errors).collect();
-    for pair in of_each.windows(2) {
+    let errors: Vec<(f64, f64)> = [8, 16, 32].into_iter().map(errors).collect();
+    for pair in errors.windows(2) {
         let [(sag, tension), (finer_sag, finer_tension)] = [pair[0], pair[1]];
         let ratios = (sag / finer_sag, tension / finer_tension);
         println!("errors fall by {:.3} (sag) and {:.3} (tension)", ratios.0, ratios.1);
         assert!((3.8..4.2).contains(&ratios.0) && (3.8..4.2).contains(&ratios.1), "{ratios:?}");
     }
     let exact = Catenary::new();
-    let (sag, tension) = of_each[2];
+    let (sag, tension) = errors[2];
     assert!(sag.abs() < 2e-3 * exact.sag(0.5 * LENGTH) && tension.abs() < 2e-3 * exact.tension(0.0));
 }

@@ -1,10 +1,10 @@
-//! Bodies and nets in flight, where the answer does not depend on what happens inside the net.
+//! Free flight of nets, against results that do not depend on the forces inside the net.
 
 use crate::support::{Run, assert_close};
 use glam::DVec3;
 
-/// A net that flies as one, no rope pulling, under mass-proportional damping: the closed form of a body in linear
-/// damping, t = ln(1 + alpha v/g)/alpha and z = v/alpha - g t/alpha. 50 m/s and 8 1/s give 0.467 s and 5.68 m.
+/// A net without tension rises under mass-proportional damping alpha as a body does: its apex comes at
+/// t = ln(1 + alpha v/g)/alpha, at the height z = v/alpha - g t/alpha. 50 m/s and 8 1/s give 0.467 s and 5.68 m.
 #[test]
 fn damped_flight_has_the_apex_of_the_closed_form() {
     let nodes = "id,x,y,z,vz\nn1,1,1,0,50\nn2,-1,1,0,50\nn3,-1,-1,0,50\nn4,1,-1,0,50\n";
@@ -22,12 +22,12 @@ fn damped_flight_has_the_apex_of_the_closed_form() {
     let found = (apex.peak_travel_time_s.expect("it rises"), apex.peak_height_m.expect("it rises"));
     println!("apex at {:.5} s, {:.6} m; exact {time:.5} s, {height:.6} m", found.0, found.1);
     assert!((time - 0.467).abs() < 5e-4 && (height - 5.68).abs() < 5e-3);
-    // the top is found to a step
+    // the time of the apex is known to one step
     assert!((found.0 - time).abs() <= run.summary.step.dt_s);
     assert_close("height, m", found.1, height, 1e-6);
 }
 
-/// Sums over all nodes, from what a run wrote.
+/// Sums over all nodes of a recorded frame.
 struct Sums {
     mass: f64,
     /// Centre of mass, m.
@@ -59,8 +59,8 @@ fn sums(run: &Run, frame: usize) -> Sums {
     sums
 }
 
-/// The square net without gravity: what ropes do inside it changes neither momentum nor angular momentum. One corner's
-/// own launch makes both large in every direction.
+/// The square net without gravity: internal forces change neither momentum nor angular momentum. One tractor has a launch
+/// of its own, which makes both large in every direction.
 #[test]
 fn free_flight_keeps_momentum_and_angular_momentum() {
     let tractors = "tractors=[{ corner = 2, particle = { mass = \"0.7 kg\" }, axial_speed = \"26 m/s\", \
@@ -78,7 +78,7 @@ fn free_flight_keeps_momentum_and_angular_momentum() {
     assert!(momentum < 1e-9 && angular < 1e-9, "{momentum:e}, {angular:e}");
 }
 
-/// With gravity the centre of mass of the opening net is thrown like a stone.
+/// Under gravity the centre of mass of an opening net moves on a parabola.
 #[test]
 fn the_centre_of_mass_is_ballistic() {
     let run = Run::example(

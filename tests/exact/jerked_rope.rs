@@ -1,11 +1,11 @@
-//! A rope whose end is jerked along it at V is pulled with rho A c V until the wave comes back from its far end: the
+//! A rope whose end is jerked along it at V has the tension rho A c V until the wave returns from its far end, by the
 //! one-dimensional wave equation. The founding paper's rope (10 mm, 1850 kg/m^3, 78 GPa) at 71 m/s: 66.99 kN.
 
 use crate::support::{Run, assert_close};
 
 #[test]
-fn a_rope_jerked_along_itself_pulls_with_rho_a_c_v() {
-    // so heavy an end keeps its speed to a part in a million
+fn a_rope_jerked_along_itself_has_the_tension_rho_a_c_v() {
+    // the heavy end keeps its speed to one part in a million
     let nodes = "id,x,y,z,mass,fixed,vx\nfar,0,0,0,0,1,0\njerked,5,0,0,1e6,0,71\n";
     let ropes = "a,b,segments\nfar,jerked,250\n";
     let back = 2.0 * 5.0 / (78e9f64 / 1850.0).sqrt();

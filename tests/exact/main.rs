@@ -1,4 +1,4 @@
-//! Runs held against closed forms, published solutions and laws: conservation, energy balance, symmetry.
+//! Runs held against closed forms, published solutions and laws of conservation.
 
 #[path = "../support/mod.rs"]
 mod support;

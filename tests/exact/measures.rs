@@ -1,4 +1,4 @@
-//! The measures that take the whole web, on runs whose answer is known.
+//! Measures of the whole web, on runs with known answers.
 
 use crate::support::Run;
 
@@ -6,7 +6,7 @@ use crate::support::Run;
 const HELD: [&str; 2] = ["environment.gravity=0", "solve.duration=\"2 ms\""];
 
 #[test]
-fn a_flat_net_is_its_own_silhouette_and_covers_a_target_in_its_middle() {
+fn a_flat_net_has_its_own_area_as_shadow_and_covers_a_target_in_its_middle() {
     let inside = [&HELD[..], &["measure.target_diameter=\"1.2 m\""]].concat();
     let run = Run::example("05_hanging_net/hanging_net.toml", &inside);
     assert!((run.summary.opening.shadow_area_max_m2.unwrap() - 4.0).abs() < 1e-9);
@@ -16,7 +16,7 @@ fn a_flat_net_is_its_own_silhouette_and_covers_a_target_in_its_middle() {
     assert!((target.coverage_max.unwrap() - 1.0).abs() < 1e-9);
     assert_eq!((target.covered_from_s, target.covered_to_s), (Some(0.0), Some(0.002)));
 
-    // a disc that the net fits into: it covers its own area of it
+    // on a larger disc it covers its own area
     let outside = [&HELD[..], &["measure.target_diameter=\"4 m\""]].concat();
     let run = Run::example("05_hanging_net/hanging_net.toml", &outside);
     let target = run.summary.target.unwrap();
@@ -26,34 +26,34 @@ fn a_flat_net_is_its_own_silhouette_and_covers_a_target_in_its_middle() {
 }
 
 #[test]
-fn a_stowed_net_has_the_same_silhouette_whatever_the_axis() {
+fn the_shadow_of_a_stowed_net_does_not_depend_on_the_launch_axis() {
     let shadow = |launch: &[&str]| {
         let run = Run::example("04_square_net/square_net.toml", &[&["solve.duration=\"0.1 s\""][..], launch].concat());
         (run.column("shadow_area_m2"), run.column("mouth_asymmetry"))
     };
     let (up, _) = shadow(&["launch.elevation=\"90 deg\""]);
     let (slanted, asymmetry) = shadow(&["launch.elevation=\"30 deg\"", "launch.azimuth=\"70 deg\""]);
-    // later on slack ropes whip, and amplify rounding
+    // only at the start: later, whipping slack ropes amplify rounding
     assert!((up[0] - slanted[0]).abs() < 1e-4 * up[0], "{} and {}", up[0], slanted[0]);
     assert!(asymmetry.iter().all(|share| *share < 1e-3));
-    // scaled to a quarter, it starts with a sixteenth of its area
+    // scaled to a quarter, it starts with a sixteenth of its area of 25 m^2
     assert!((up[0] - 25.0 / 16.0).abs() < 1e-9, "{}", up[0]);
 }
 
 #[test]
-fn each_kind_of_rope_is_held_to_its_own_strength_less_what_knots_take() {
+fn the_utilisation_of_a_rope_counts_its_strength_at_knots() {
     let run = Run::example(
         "06_graph_net/graph_net.toml",
         &["ropes.border.knot_reduction=\"40 %\"", "solve.duration=\"0.2 s\""],
     );
     let tension = &run.summary.tension;
     let border = &tension.by_rope["border"];
-    // the border is the outline's rope and no other's
+    // the border is the rope of the outline only
     assert_eq!(border.max_n, tension.by_class["outline"].max_n);
     assert_eq!(border.max_where.as_deref(), Some("outline"));
     assert!((border.utilisation.unwrap() - border.max_n / (0.6 * 12_000.0)).abs() < 1e-12);
     assert!((border.margin.unwrap() * border.utilisation.unwrap() - 1.0).abs() < 1e-12);
-    // the margin of the class is that of the rope as such
+    // the margin of the class counts the full strength of the rope
     assert!((tension.by_class["outline"].margin.unwrap() - 12_000.0 / border.max_n).abs() < 1e-12);
 
     let others = tension.by_class.iter().filter(|(class, _)| *class != "outline");

@@ -1,5 +1,5 @@
-//! A mass on a rope of 1 m, let go from the horizontal: period 4 K(sin 45 deg) sqrt(L/g) = 2.36784 s at g = 9.81 m/s^2,
-//! K the complete elliptic integral of the first kind.
+//! A mass on a rope of 1 m, released from the horizontal, swings with the period 4 K(sin 45 deg) sqrt(L/g) = 2.36784 s at
+//! g = 9.81 m/s^2, where K is the complete elliptic integral of the first kind.
 
 use crate::support::{Run, assert_close};
 
@@ -12,7 +12,7 @@ fn a_pendulum_from_the_horizontal_swings_with_the_elliptic_period() {
                     solve = { duration = \"3.2 s\", segment_length = \"1 m\" }\n";
     let run = Run::graph(scenario, nodes, "a,b,segments\npivot,bob,1\n");
 
-    // the bob is below its pivot a quarter of a period after the start and twice a period from then on
+    // the bob passes below its pivot after a quarter of a period, then twice a period
     let (time, x) = (run.column("time_s"), run.column("P_x_m"));
     let below: Vec<f64> = (1..x.len())
         .filter(|&i| x[i - 1] * x[i] < 0.0)

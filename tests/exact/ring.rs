@@ -1,8 +1,8 @@
-//! A ring of rope that spins at v is pulled with T = mu v^2, whatever its radius; the founding paper's rope at 50 m/s:
-//! 363.2 N.
+//! A spinning ring of rope with the rim speed v has the tension T = mu v^2, whatever its radius. The founding paper's rope
+//! at 50 m/s: 363.2 N.
 //!
-//! The ring stretches by e = T/EA: its mass per length falls by 1 + e, and as its angular momentum is kept, so does its
-//! speed. With v the speed while slack, T (1 + e)^3 = mu v^2.
+//! The ring stretches by e = T/EA. Its mass per length falls by the factor 1 + e, and so does its speed, since its angular
+//! momentum is conserved. With v the speed of the slack ring, T (1 + e)^3 = mu v^2.
 
 use std::fmt::Write;
 
@@ -14,7 +14,7 @@ const SPEED: f64 = 50.0;
 const SIDES: usize = 60;
 
 #[test]
-fn a_spinning_ring_is_pulled_with_mu_v_squared() {
+fn a_spinning_ring_has_the_tension_mu_v_squared() {
     let section = 0.25 * std::f64::consts::PI * 0.01 * 0.01;
     let (mass_per_metre, axial_stiffness) = (1850.0 * section, 78e9 * section);
     let mut nodes = "id,x,y,z,vx,vy\n".to_owned();
@@ -25,7 +25,7 @@ fn a_spinning_ring_is_pulled_with_mu_v_squared() {
         writeln!(nodes, "n{i},{},{},0,{},{}", RADIUS * c, RADIUS * s, -SPEED * s, SPEED * c).unwrap();
         writeln!(ropes, "n{i},n{},1", (i + 1) % SIDES).unwrap();
     }
-    // slack at the start; friction inside the rope stills the breathing that follows
+    // the ring starts slack; damping in the rope ends its radial vibration
     let scenario = "rope = { diameter = \"10 mm\", density = 1850, elastic_modulus = \"78 GPa\", \
         damping_time = \"20 us\" }\n\
                     environment = { gravity = 0 }\n\

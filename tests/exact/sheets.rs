@@ -1,4 +1,4 @@
-//! Meshed sheets against theory: cylindrical bending, plates and membranes that vibrate, a sheared sheet that wrinkles.
+//! Meshed sheets against theory: cylindrical bending, vibration of plates and membranes, wrinkling of a sheared sheet.
 
 use glam::{DVec2, DVec3};
 use nalgebra::{DMatrix, DVector};
@@ -13,7 +13,7 @@ const NU: f64 = 0.3;
 const THICKNESS: f64 = 2e-3;
 const DENSITY: f64 = 1400.0;
 
-/// First eigenvalue of the Laplacian on the regular hexagon of side 1, zero on the rim: see docs/theory/plate.md.
+/// First eigenvalue of the Laplacian on the regular hexagon of side 1 with zero on the rim, see docs/theory/plate.md.
 const HEXAGON: f64 = 7.155339;
 
 fn fabric(compresses: bool) -> Fabric {
@@ -38,17 +38,19 @@ fn add_forces<const N: usize>(elements: &[impl Element<N>], x: &[DVec3], force: 
     }
 }
 
-/// A third of each triangle's mass on each of its nodes, kg.
+/// Mass of each node, kg, (nodes,): a third of each of its triangles.
 fn masses(sheet: &Sheet) -> Vec<f64> {
     let mut mass = vec![0.0; sheet.nodes.len()];
     for &[a, b, c] in &sheet.triangles {
         let area = 0.5 * (sheet.nodes[b] - sheet.nodes[a]).perp_dot(sheet.nodes[c] - sheet.nodes[a]);
-        [a, b, c].iter().for_each(|&node| mass[node] += DENSITY * THICKNESS * area / 3.0);
+        for node in [a, b, c] {
+            mass[node] += DENSITY * THICKNESS * area / 3.0;
+        }
     }
     mass
 }
 
-/// Lowest frequency of motion across the sheet of the nodes that are `free`, rad/s.
+/// Lowest frequency, rad/s, of motion normal to the sheet if only the nodes `free` move.
 fn first_frequency(mass: &[f64], free: &[usize], x: &[DVec3], forces: impl Fn(&[DVec3]) -> Vec<DVec3>) -> f64 {
     let mut x = x.to_vec();
     let h = 1e-7;
@@ -91,7 +93,7 @@ fn a_sheet_bent_to_a_cylinder_stores_half_its_rigidity_times_curvature_squared()
             .collect();
         let energy: f64 =
             hinges(&sheet, rigidity).iter().map(|h| h.elastic_energy(h.nodes().map(|node| x[node]))).sum();
-        // a rim of triangles has no hinge on its outer edges: 3 n of 9 n^2 are missing
+        // outer edges have no hinge: 3 n of 9 n^2 edges are missing
         let expected = per_area * area * (1.0 - 1.0 / (3 * n) as f64);
         assert!((energy / expected - 1.0).abs() < 2e-3, "{degrees} degrees: {energy} J, expected {expected} J");
         assert!((energy / (per_area * area) - 1.0).abs() < 0.025);
@@ -99,11 +101,11 @@ fn a_sheet_bent_to_a_cylinder_stores_half_its_rigidity_times_curvature_squared()
 }
 
 #[test]
-fn a_dome_and_a_saddle_store_what_a_plate_of_poisson_ratio_minus_a_third_would() {
+fn a_dome_and_a_saddle_store_the_energy_of_a_plate_of_poisson_ratio_minus_a_third() {
     let (n, rigidity, curvature) = (8, 3.0, 1e-3);
     let sheet = hexagonal_sheet(1.0, n).unwrap();
     let covered = 1.5 * 3.0_f64.sqrt() * (1.0 - 1.0 / (3 * n) as f64);
-    // curvatures along x and y, twist; D ((1 + nu) m^2 + (1 - nu) d^2)
+    // curvatures along x and y and twist; the energy is D ((1 + nu) m^2 + (1 - nu) d^2)
     for ([xx, yy, xy], share) in
         [([1.0, 1.0, 0.0], 2.0 / 3.0), ([1.0, -1.0, 0.0], 4.0 / 3.0), ([0.0, 0.0, 1.0], 4.0 / 3.0)]
     {
@@ -116,7 +118,7 @@ fn a_dome_and_a_saddle_store_what_a_plate_of_poisson_ratio_minus_a_third_would()
     }
 }
 
-/// First frequency of a plate made of these hinges over `exact`, less 1.
+/// Relative error of the first frequency of a plate made of these hinges; `exact` in rad/s.
 fn plate_error(sheet: &Sheet, hinges: &[Hinge], free: &[usize], exact: f64) -> f64 {
     let x: Vec<DVec3> = sheet.nodes.iter().map(|p| p.extend(0.0)).collect();
     let found = first_frequency(&masses(sheet), free, &x, |x| {
@@ -127,7 +129,7 @@ fn plate_error(sheet: &Sheet, hinges: &[Hinge], free: &[usize], exact: f64) -> f
     found / exact - 1.0
 }
 
-/// sqrt(D / (rho t)): what turns an eigenvalue of the Laplacian into a plate's frequency, m^2/s.
+/// sqrt(D / (rho t)), m^2/s: the frequency of a plate over the eigenvalue of the Laplacian.
 fn plate_speed() -> f64 {
     (flexural_rigidity(E, NU, THICKNESS) / (DENSITY * THICKNESS)).sqrt()
 }
@@ -147,7 +149,7 @@ fn a_simply_supported_hexagonal_plate_has_its_first_frequency() {
 
 #[test]
 fn a_simply_supported_triangular_plate_converges_to_its_first_frequency() {
-    // a sixth of the hexagon: eigenvalue 16 pi^2/3 of the Laplacian, and nothing singular at 60 degrees
+    // a sixth of the hexagon: the eigenvalue of the Laplacian is 16 pi^2/3, and a corner of 60 degrees is not singular
     let side = 0.5;
     let pi = std::f64::consts::PI;
     let errors = [6, 12, 24].map(|n| {
@@ -181,13 +183,15 @@ fn a_stretched_hexagonal_membrane_has_its_tension_and_its_first_frequency() {
             add_forces(&membranes, x, &mut force);
             force
         };
-        // in balance inside; along the rim a pull of stretch * stress * thickness on the length at rest
+        // inner nodes are in balance; the rim bears stretch * stress * thickness per length at rest
         let pull = stretch * stress * THICKNESS * side / n as f64;
         let mut balance = forces(&x);
         for (k, nodes) in sheet.sides.iter().enumerate() {
             let outward = DVec2::from_angle((60.0 * k as f64 + 30.0).to_radians()).extend(0.0);
             for pair in nodes.windows(2) {
-                pair.iter().for_each(|&node| balance[node] += 0.5 * pull * outward);
+                for &node in pair {
+                    balance[node] += 0.5 * pull * outward;
+                }
             }
         }
         assert!(balance.iter().all(|force| force.length() < 1e-9 * pull));
@@ -213,7 +217,7 @@ impl Panel {
         let at = |column: usize, row: usize| row * (columns + 1) + column;
         let cell = |column: usize, row: usize| {
             let [a, b, c, d] = [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
-            // diagonals alternate, so that the mesh favours none
+            // diagonals alternate, so that the mesh prefers no direction
             if (column + row).is_multiple_of(2) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
         };
         let triangles: Vec<[usize; 3]> =
@@ -228,7 +232,8 @@ impl Panel {
         force
     }
 
-    /// Equilibrium with the upper edge raised and moved along, by Newton's method with a little of the identity.
+    /// Positions in equilibrium, m, after the upper edge is raised and moved along. Newton's method; a small multiple of the
+    /// identity keeps its matrix regular.
     fn shear(&self, raise: f64, along: f64) -> Vec<DVec3> {
         let mut x: Vec<DVec3> =
             self.nodes.iter().map(|p| DVec3::new(p.x + along * p.y, p.y * (1.0 + raise), 0.0)).collect();
@@ -262,7 +267,7 @@ impl Panel {
         panic!("no equilibrium");
     }
 
-    /// State, principal stresses and direction of the triangles that lie well inside.
+    /// State, principal stresses, Pa, and their direction, degrees, of the triangles near the middle.
     fn middle(&self, x: &[DVec3]) -> Vec<(Tautness, [f64; 2], f64)> {
         let far_in = |m: &&Membrane| m.nodes().iter().all(|&i| (self.nodes[i].x - 0.5 * Self::WIDTH).abs() < 0.55);
         self.membranes
@@ -289,7 +294,7 @@ fn a_sheared_panel_wrinkles_at_45_degrees() {
 }
 
 #[test]
-fn a_raised_panel_stays_taut_up_to_the_shear_that_takes_its_second_tension() {
+fn a_raised_panel_wrinkles_at_the_shear_where_its_second_stress_is_zero() {
     // strain e across a wide panel: stresses nu E' e and E' e; with the shear G c the second one reaches zero where
     // (G c)^2 = nu (E' e)^2, c = 2 e sqrt(nu) / (1 - nu)
     let (panel, strain) = (Panel::new(4), 0.002);

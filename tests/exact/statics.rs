@@ -1,22 +1,22 @@
 //! Equilibria by `[solve.static]` against closed forms.
 //!
-//! Heavy extensible cable, Code_Aster's SSNL114 (V6.02.114): span and unstretched length 325 m, A 2.2783e-4 m^2, E 57 GPa,
-//! density 2844.23 kg/m^3, g 9.81 m/s^2: sag 6.352 m; with a thermal strain of 2.3e-5 * 39.26, sag 8.195 m. The elastic
-//! catenary has the reactions: 13206 N level and 13247 N at most, and warmed 10234 N level.
+//! Heavy extensible cable, SSNL114 of Code_Aster (V6.02.114): span and unstretched length 325 m, A 2.2783e-4 m^2, E 57 GPa,
+//! density 2844.23 kg/m^3, g 9.81 m/s^2. Its sag is 6.352 m; with a thermal strain of 2.3e-5 * 39.26 it is 8.195 m. By the
+//! elastic catenary the horizontal reaction is 13206 N and the largest tension 13247 N; warmed, the reaction is 10234 N.
 //!
-//! Square frame of bars with two diagonals that only pull, Code_Aster's SSNL105 (V6.02.105): 1 m a side, two corners held,
-//! 1000 N along the upper side: the loaded diagonal bears 1414.2 N, the bar below the load -1000 N, the rest nothing.
+//! Square frame of bars with two tension-only diagonals, SSNL105 of Code_Aster (V6.02.105): sides of 1 m, two corners held,
+//! 1000 N along the upper side. The loaded diagonal bears 1414.2 N, the bar below the load -1000 N, all others nothing.
 //!
-//! Catenary, Irvine, Cable Structures, 1981: with w the weight per length, a the parameter H/w, and S the length between
-//! two ends of one height L apart, S = 2 a sinh(L/2a), sag a (cosh(L/2a) - 1); T at the ends = w (a + sag).
+//! Catenary, Irvine, Cable Structures, 1981: weight w per length, parameter a = H/w, length S between two ends at one height,
+//! L apart. S = 2 a sinh(L/2a); the sag is a (cosh(L/2a) - 1) and the tension at the ends w (a + sag).
 //!
-//! Taut rope pulled at its middle: the paper's section 4.1; see exact_taut_rope.rs for its equations.
+//! Taut rope pulled at its middle: section 4.1 of the founding paper; its equations are in taut_rope.rs.
 
 use crate::support::{Run, assert_close};
 
 const GRAVITY: f64 = 9.81;
 
-/// A rope with ends at one height, cut into `segments`, at rest. Its section is 1 mm^2.
+/// A rope of 1 mm^2 between ends of equal height, cut into `segments`, in equilibrium.
 fn rope_at_rest(span: f64, length: f64, axial_stiffness: f64, mass_per_length: f64, segments: usize) -> Run {
     let area = 1e-6;
     let diameter = (4.0 * area / std::f64::consts::PI).sqrt();
@@ -30,13 +30,13 @@ fn rope_at_rest(span: f64, length: f64, axial_stiffness: f64, mass_per_length: f
     Run::graph(&scenario, &nodes, &format!("a,b,rest_length,segments\nleft,right,{length},{segments}\n"))
 }
 
-/// Sag, m, horizontal reaction and tension at an end, N. In a polygon under loads at its nodes the end carries half a
-/// segment's weight more than the first segment does in its middle.
+/// Sag, m, horizontal reaction, N, and tension at an end, N. Masses are lumped at nodes, so the end carries half the weight
+/// of a segment more than the first segment does.
 fn sag_and_reactions(run: &Run, weight: f64, segments: usize) -> (f64, f64, f64) {
     let last = run.fields.times.len() - 1;
     let x = run.fields.positions(last);
     let lowest = x.iter().map(|x| x.z).fold(0.0, f64::min);
-    // nodes: both ends, then the inner ones in order; the first segment joins the left end to the first of these
+    // the run lists both ends, then the inner nodes; the first segment joins the left end to the first inner node
     let (tension, span) = (run.fields.tensions(last)[0], x[2] - x[0]);
     let horizontal = tension * span.x / span.length();
     let vertical = tension * -span.z / span.length() + 0.5 * weight / segments as f64;
@@ -55,11 +55,11 @@ fn elastic_catenary(span: f64, length: f64, axial_stiffness: f64, weight: f64) -
 }
 
 #[test]
-fn the_heavy_extensible_cable_of_code_aster() {
+fn a_heavy_extensible_cable_has_the_sag_of_code_aster() {
     let (area, modulus, density, span) = (2.2783e-4, 57e9, 2844.23, 325.0);
     let weight = density * area * span * GRAVITY;
     for (strain, sag) in [(0.0, 6.352), (2.3e-5 * 39.26, 8.195)] {
-        // warmed, it is a longer rope of the same mass
+        // the warmed rope is longer and has the same mass
         let length = span * (1.0 + strain);
         let run = rope_at_rest(span, length, modulus * area, density * area * span / length, 200);
         let (found_sag, found_h, found_t) = sag_and_reactions(&run, weight, 200);
@@ -82,9 +82,9 @@ fn the_heavy_extensible_cable_of_code_aster() {
 }
 
 #[test]
-fn a_rope_that_hardly_stretches_hangs_in_the_catenary() {
+fn a_stiff_rope_hangs_in_the_catenary() {
     let (span, length, mass_per_length, segments) = (2.0, 2.6, 0.1, 64);
-    // EA is 4000 times the tension: what it stretches is below what the polygon misses
+    // EA is 4000 times the tension: the stretch is smaller than the error of the polygon
     let run = rope_at_rest(span, length, 1e4, mass_per_length, segments);
     let weight = mass_per_length * length * GRAVITY;
     let (sag, horizontal, tension) = sag_and_reactions(&run, weight, segments);
@@ -104,7 +104,7 @@ fn a_rope_that_hardly_stretches_hangs_in_the_catenary() {
 }
 
 #[test]
-fn a_taut_rope_is_pulled_to_where_the_law_says() {
+fn a_taut_rope_is_displaced_as_in_the_paper() {
     const AXIAL_STIFFNESS: f64 = 100e3;
     let modulus = AXIAL_STIFFNESS / (0.25 * std::f64::consts::PI * 0.01 * 0.01);
     for (pretension, row) in [(0.0, [51.0, 1325.4, 5721.9]), (1000.0, [211.0, 1805.4, 6521.9])] {
@@ -131,7 +131,7 @@ fn a_taut_rope_is_pulled_to_where_the_law_says() {
 }
 
 #[test]
-fn a_frame_with_diagonals_that_only_pull() {
+fn a_frame_with_tension_only_diagonals_has_the_forces_of_code_aster() {
     let scenario = "environment = { gravity = 0 }\nsolve = { static = { tolerance = 1e-9 }, segment_length = 2 }\n\
                     load.side = { force = [\"1000 N\", 0, 0], nodes = [\"3\"] }\n\
                     rope = { diameter = \"36 mm\", density = 7800, elastic_modulus = \"200 GPa\" }\n\

@@ -1,10 +1,10 @@
-//! A string between two ends, pulled aside and let go: frequency n/(2L) sqrt(T/mu) of its modes.
+//! A string between two ends is displaced and released: its modes have the frequencies n/(2L) sqrt(T/mu).
 
 use crate::support::{Run, assert_close};
 
 #[test]
 fn a_string_under_a_static_pretension_vibrates_at_its_first_frequency() {
-    // 1 m long as drawn, EA 1e5 N, pulled taut with 50 N; its equilibrium under a small load is the first bend
+    // 1 m long as drawn, EA 1e5 N, pretension 50 N; a small load displaces the middle at the start
     let (tension, axial_stiffness) = (50.0, 1e5);
     let area = 0.25 * std::f64::consts::PI * 0.002 * 0.002;
     let scenario = format!(
@@ -18,10 +18,10 @@ fn a_string_under_a_static_pretension_vibrates_at_its_first_frequency() {
     let ropes = format!("a,b,pretension,segments\nleft,middle,{tension},20\nmiddle,right,{tension},20\n");
     let run = Run::graph(&scenario, nodes, &ropes);
 
-    // its mass is that of the rope without tension
+    // the mass is that of the unstretched rope
     let mass_per_length = 1000.0 * area / (1.0 + tension / axial_stiffness);
     let expected = 0.5 * (tension / mass_per_length).sqrt();
-    // the first mode's share of the shape
+    // the share of the first mode in the shape
     let shape = |frame: usize| -> f64 {
         let nodes = run.fields.positions(frame).iter();
         nodes.map(|x| x.z * libm::sin(std::f64::consts::PI * x.x)).sum()

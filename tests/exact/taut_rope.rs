@@ -1,11 +1,11 @@
-//! A taut rope pulled at its middle, the founding paper's section 4.1 and Figure 5: EA 100 kN between ends 2.5 m apart.
+//! A taut rope pulled at its middle, section 4.1 and Figure 5 of the founding paper: EA 100 kN, ends 2.5 m apart.
 //!
 //! ```text
 //! exact           F = 2 T sin a,   tan a = 2l/L,   T = EA [(1 + e0) sec a - 1],   e0 = T0/EA        (1), (4), (5)
 //! small slopes    F = (EA + T0) 8 l^3/L^3 + 4 T0 l/L                                                (6)
 //! ```
 //!
-//! The numbers of both are in docs/theory/rope.md.
+//! The numbers of both equations are in docs/theory/rope.md.
 
 use crate::support::{Run, assert_close};
 
@@ -15,7 +15,7 @@ const GRAVITY: f64 = 9.80665;
 const PRETENSIONS: [f64; 6] = [0.0, 200.0, 400.0, 600.0, 800.0, 1000.0];
 const DISPLACEMENTS: [f64; 3] = [0.1, 0.3, 0.5];
 
-/// Tension of the rope and sine of its slope, its middle displaced by `displacement`.
+/// Tension, N, and sine of the slope of the rope after its middle is displaced by `displacement`, m.
 fn exact_tension(pretension: f64, displacement: f64) -> (f64, f64) {
     let slope = 2.0 * displacement / SPAN;
     let secant = (1.0 + slope * slope).sqrt();
@@ -28,13 +28,13 @@ fn exact_force(pretension: f64, displacement: f64) -> f64 {
     2.0 * tension * sine
 }
 
-/// The paper's equation (6).
+/// Equation (6) of the paper.
 fn cubic_force(pretension: f64, displacement: f64) -> f64 {
     let (l, span) = (displacement, SPAN);
     (AXIAL_STIFFNESS + pretension) * 8.0 * l * l * l / (span * span * span) + 4.0 * pretension * l / span
 }
 
-/// A rope of that EA, 10 mm thick and all but weightless: the load is what hangs on it.
+/// A rope with that EA, 10 mm thick and almost without weight.
 fn scenario(rest: &str) -> String {
     let modulus = AXIAL_STIFFNESS / (0.25 * std::f64::consts::PI * 0.01 * 0.01);
     format!(
@@ -58,9 +58,9 @@ fn the_closed_forms_give_the_numbers_of_the_page() {
     }
 }
 
-/// A weight of the exact force hangs on the middle of the drawn rope and comes to rest where the force is exact.
+/// A weight equal to the exact force hangs on the middle of the drawn rope and comes to rest at the exact displacement.
 #[test]
-fn a_weight_on_the_middle_comes_to_rest_where_the_law_says() {
+fn a_weight_on_the_middle_comes_to_rest_at_the_exact_displacement() {
     let rest = format!(
         "environment = {{ gravity = {GRAVITY}, damping = \"12 1/s\" }}\n\
          solve = {{ duration = \"5 s\", segment_length = \"2.5 m\" }}\nrecord = {{ every = \"0.1 s\" }}\n"
@@ -81,7 +81,7 @@ fn a_weight_on_the_middle_comes_to_rest_where_the_law_says() {
     }
 }
 
-/// The middle is drawn displaced and held; each half, cut into eight, keeps the rest length that it has when flat.
+/// The middle is drawn displaced and held. Each half, cut into eight segments, keeps its rest length of the straight rope.
 #[test]
 fn a_rope_held_at_its_middle_has_the_tension_of_the_law_in_every_segment() {
     let rest = "environment = { gravity = 0 }\nsolve = { duration = \"5 ms\", segment_length = \"1 m\" }\n";

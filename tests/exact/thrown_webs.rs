@@ -1,5 +1,4 @@
-//! The webs that are drawn from sizes alone, thrown out of every stowing pattern there is: each opens, and its energy is
-//! accounted for.
+//! Webs that are drawn from sizes alone, thrown from every stowing pattern: each opens and its energy balance closes.
 
 use crate::support::Run;
 
@@ -13,7 +12,7 @@ const STOWED: [&str; 7] = [
     "stow={layers={container={cylinder={radius=0.4,height=0.6}}}}",
 ];
 
-/// Throws the starting scenario of a kind of web with the default tolerances of the energy, and looks at how it opened.
+/// Throws the template of a kind of web from every packing and asserts that it opens and its energy balance closes.
 #[track_caller]
 fn assert_opens(kind: &str, of_the_web: &[&str]) {
     for stow in STOWED {
@@ -22,7 +21,7 @@ fn assert_opens(kind: &str, of_the_web: &[&str]) {
         assert!(summary.finished && summary.energy.closure <= 0.003, "{kind}, {stow}: {}", summary.energy.closure);
         let (most, flat) = (summary.opening.area_max_m2.unwrap(), summary.opening.reference_area_m2.unwrap());
         println!("{kind}, {stow}: {:.3} of {flat} m^2, closure {:.2e}", most / flat, summary.energy.closure);
-        // a fold has its tractors inside the pack where there are no traction ropes, and none is symmetric but the rings
+        // without traction ropes a folded web has its tractors inside; only folds along rings are symmetric
         let least = if stow.contains("bag") || stow.contains("scale") { 0.8 } else { 0.6 };
         assert!(most > least * flat && most < 1.05 * flat, "{kind}, {stow}: opens to {most} of {flat} m^2");
         for (class, tension) in &summary.tension.by_class {

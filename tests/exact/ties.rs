@@ -1,8 +1,8 @@
-//! Break ties and tear stitches let go at their load, when the closed form says; from the scenario to the result folder.
+//! Break ties and stitches break at their load, at the time of a closed form.
 
 use crate::support::{Run, assert_close};
 
-/// A mass of about a kilogram 0.1 m from a held point, and a rope on it that is slack all the time.
+/// A mass of about 1 kg, 0.1 m from a held point. The ropes that make the web always stay slack.
 const NODES: &str = "id,x,y,z,mass,fixed,vx\nheld,-0.1,0,0,0,1,0\nmass,0,0,0,1,0,SPEED\nend,0,1,0,0.1,0,0\n";
 const ROPES: &str = "a,b,rest_length,segments\nmass,end,50,1\nheld,end,50,1\n";
 
@@ -15,13 +15,13 @@ fn run(speed: &str, ties: &str) -> Run {
     Run::graph(&scenario, &NODES.replace("SPEED", speed), ROPES)
 }
 
-/// The mass that is tied.
+/// The tied mass, kg.
 fn mass(run: &Run) -> f64 {
     run.model.system.mass()[1]
 }
 
 #[test]
-fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
+fn a_tie_under_a_rising_load_breaks_at_its_breaking_load() {
     // 10 % at 50 N over 0.1 m: 5000 N/m
     let (load, stiffness, rate) = (50.0, 5e3, 500.0);
     let ties = "break_ties = [{ pairs = [[\"held\", \"mass\"]], breaking_load = \"50 N\" }]\n\
@@ -32,7 +32,7 @@ fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
         (&told.place[..], &told.class[..], told.released),
         ("break tie 1 at knot held to knot mass", "tie", true)
     );
-    // a spring that is pulled at a steady rate: T = rate (t - sin(w t) / w)
+    // a mass on a spring under a load that grows at a constant rate: T = rate (t - sin(w t) / w)
     let omega = (stiffness / mass(&run)).sqrt();
     let tension = |t: f64| rate * (t - libm::sin(omega * t) / omega);
     let (mut early, mut late) = (0.05, 0.15);
@@ -44,7 +44,7 @@ fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
     println!("lets go at {:.6} s, {:.3} N; {early:.6} s by the closed form", told.time_s, told.tension_n);
     assert!((told.time_s - early).abs() < 1.5 * dt, "{} and not {early}", told.time_s);
     assert!(told.tension_n > load && told.tension_n < load + 2.0 * rate * dt);
-    // it is no rope: neither the web's tensions nor its breaks know of it
+    // a tie is not a rope: it counts neither in the largest tension nor among the broken segments
     assert_eq!((run.summary.tension.max_n, run.summary.tension.broken_segments), (0.0, 0));
     assert_close("tie, N", run.summary.tension.by_class["tie"].max_n, told.tension_n, 1e-12);
     assert_close("rupture, J", run.last("energy_rupture_j"), 0.5 * load * load / stiffness, 1e-3);
@@ -54,7 +54,7 @@ fn a_tie_under_a_rising_load_lets_go_when_it_bears_what_it_can() {
 }
 
 #[test]
-fn a_mass_that_flies_from_its_place_breaks_its_tie_and_keeps_the_rest_of_its_energy() {
+fn a_flying_mass_breaks_its_tie_and_loses_the_energy_of_the_break() {
     let (load, length, stiffness, speed) = (200.0, 0.05, 200.0 / (0.2 * 0.05), 4.0);
     let ties =
         "break_ties = [{ points = [\"M\"], breaking_load = \"200 N\", breaking_strain = 0.2, length = \"50 mm\" }]\n";
@@ -70,19 +70,19 @@ fn a_mass_that_flies_from_its_place_breaks_its_tie_and_keeps_the_rest_of_its_ene
 }
 
 #[test]
-fn a_mass_that_is_too_slow_stays_on_its_tie() {
+fn a_slow_mass_does_not_break_its_tie() {
     let ties = "break_ties = [{ nodes = [\"mass\"], breaking_load = \"200 N\", breaking_strain = 0.2 }]\n";
     let run = run("0.5", ties);
     assert!(run.summary.breaks.is_empty());
     let farthest = run.column("M_x_m").into_iter().fold(0.0, f64::max);
-    // 10 mm, and what the spring of 100 kN/m gives way
+    // 10 mm and the stretch of a spring of 100 kN/m
     assert_close("farthest, m", farthest, 0.01 + 0.5 * (mass(&run) / 1e5).sqrt(), 2e-3);
 }
 
-/// A strap folded once, its legs 20 mm apart and stitched to each other every 0.1 m, its ends drawn apart across it: each
-/// stitch bears the pull alone and lets go when the strap between the ends and it is straight.
+/// A strap is folded once; its legs are 20 mm apart and stitched every 0.1 m, and its ends are drawn apart. One stitch after
+/// the other bears the whole pull and breaks when the strap between it and the ends is straight.
 #[test]
-fn stitches_of_a_folded_strap_rip_one_after_the_other() {
+fn stitches_of_a_folded_strap_break_one_after_the_other() {
     let speed = 1.0;
     let nodes = "id,x,y,z,fixed\nheld,0,0,0,1\nfold,0.5,0,0,0\nback,0.5,0.02,0,0\npulled,0,0.02,0,0\n";
     let ropes = "a,b,class,segments\nheld,fold,strap,5\nfold,back,strap,1\nback,pulled,strap,5\n";
@@ -92,7 +92,7 @@ fn stitches_of_a_folded_strap_rip_one_after_the_other() {
          environment = { gravity = 0, damping = 20 }\nsolve = { duration = \"1 s\", segment_length = 1 }\n\
          record.every = \"10 ms\"\n";
     let run = Run::graph(scenario, nodes, ropes);
-    // the two ends, and four nodes along the legs
+    // one stitch at the ends and four along the legs
     assert_eq!(run.summary.breaks.len(), 5);
     for (number, told) in run.summary.breaks.iter().enumerate() {
         assert_eq!((&told.place[..], &told.class[..]), (&format!("stitch {} of row 1", number + 1)[..], "stitch"));

@@ -1,4 +1,4 @@
-//! Every folder of examples/ runs at its default settings, to its end and with its energy accounted for.
+//! Every example runs at its default settings to its end, and its energy balance closes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ struct Example {
 
 fn all() -> Vec<Example> {
     let folders = fs::read_dir(examples()).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
-    // a folder of numbers reported elsewhere compares other examples and has no scenario of its own
+    // a folder with reported.toml compares other examples and has no scenario of its own
     let runs = folders.filter(|folder| !folder.join("reported.toml").exists());
     let mut all: Vec<Example> = runs.map(|folder| Example::at(&folder)).collect();
     all.sort_by(|a, b| a.name.cmp(&b.name));
@@ -39,7 +39,7 @@ impl Example {
         Document::read(&self.scenario, &[]).unwrap_or_else(|errors| panic!("{errors}"))
     }
 
-    /// Looks at what it wrote.
+    /// Runs it and checks its results.
     fn check(&self) {
         let run = runs::example(&self.scenario);
         let (name, summary, model) = (&self.name, &run.ran.summary, &run.model);
@@ -50,7 +50,7 @@ impl Example {
         let closure_web = energy.closure_web.unwrap_or_else(|| panic!("{name}: no closure of the web"));
         assert!(closure_web <= 0.01, "{name}: closure of the web {closure_web}");
 
-        // what the web has, the summary tells
+        // the summary has the measures that the web allows
         let opening = &summary.opening;
         assert_eq!(opening.area_max_m2.is_some(), !model.cut.web.outline.is_empty(), "{name}: area");
         assert_eq!(opening.tractor_area_max_m2.is_some(), model.tractors.len() >= 3, "{name}: area of the tractors");
@@ -72,9 +72,9 @@ impl Example {
 }
 
 #[test]
-fn every_example_runs_to_its_end_with_its_energy_accounted_for() {
+fn every_example_runs_to_its_end_and_its_energy_balance_closes() {
     let all = all();
-    // each on its own thread: no example waits for a longer one
+    // one thread each: no example waits for a longer one
     std::thread::scope(|scope| {
         let running: Vec<_> = all.iter().map(|example| (example, scope.spawn(|| example.check()))).collect();
         let failed: Vec<&str> =
@@ -96,7 +96,7 @@ fn the_net_shot_from_the_ground_drifts_with_the_wind_and_lands() {
 }
 
 #[test]
-fn the_ties_of_the_net_from_tubes_let_go_and_no_rope_breaks() {
+fn the_ties_of_the_net_from_tubes_break_and_its_ropes_do_not() {
     let run = runs::example(&examples().join("11_tubes/tubes.toml"));
     let ties = run.model.groups.iter().position(|group| group.class == Class::Tie).unwrap();
     let ties = run.model.system.segments().iter().filter(|segment| segment.class == ties).count();
@@ -116,9 +116,9 @@ fn every_example_has_a_readme_that_says_how_to_run_it() {
     }
 }
 
-/// Examples are found by what they name; a file that nobody names is forgotten there.
+/// Each file in the folder of an example is its README, its scenario, or named by the scenario.
 #[test]
-fn no_example_has_a_file_that_nobody_uses() {
+fn no_example_has_an_unused_file() {
     for example in all() {
         let text = fs::read_to_string(&example.scenario).unwrap();
         for entry in fs::read_dir(&example.folder).unwrap() {
@@ -130,9 +130,9 @@ fn no_example_has_a_file_that_nobody_uses() {
     }
 }
 
-/// Only the web differs between the three webs of the paper, so that what differs in the results is the web's doing.
+/// The three scenarios of the paper differ in their web only, so that their results can be compared.
 #[test]
-fn the_webs_of_the_paper_share_all_but_the_web() {
+fn the_scenarios_of_the_paper_differ_in_the_web_only() {
     let read = |folder: &str| Example::at(&examples().join(folder)).read().scenario;
     let space = read("03_space_web");
     for folder in ["01_traditional_web", "02_topological_web"] {
@@ -147,9 +147,9 @@ fn the_webs_of_the_paper_share_all_but_the_web() {
     }
 }
 
-/// And only the canopies between the ways to model them.
+/// The scenarios of the space web differ in the model of their canopies only.
 #[test]
-fn the_space_webs_share_all_but_their_canopies() {
+fn the_scenarios_of_the_space_web_differ_in_the_canopies_only() {
     let folder = examples().join("03_space_web");
     let space = Example::at(&folder).read().scenario;
     for file in ["rigid.toml", "plate.toml", "cloth.toml"] {

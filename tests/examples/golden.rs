@@ -1,12 +1,12 @@
-//! The golden record: what every example and every scenario of tests/resume/ comes to, byte for byte. tests/golden/record.txt
-//! has the SHA-256 of history.csv, fields.vtkhdf and summary.json (without its line `wall_time_s`) of each, as `sha256sum`
-//! writes it. A change that ought to change no result changes no line of it.
+//! The golden record holds the bytes of all results of the examples, of tests/resume/ and of tests/golden/. For each of these
+//! scenarios tests/golden/record.txt has the SHA-256 of history.csv, fields.vtkhdf and summary.json (without its line
+//! `wall_time_s`), in the format of `sha256sum`. A change that should not change results changes no line of it.
 //!
-//! `cargo test` checks what is quick; the long examples take minutes:
+//! `cargo test` checks the quick scenarios. The long examples take minutes:
 //!
 //!     cargo test --test examples golden -- --include-ignored
 //!
-//! Where results change on purpose, write the record anew with the same command, and say in the commit why they change:
+//! If results change on purpose, write the record again, and say in the commit why they change:
 //!
 //!     NETCAST_GOLDEN=write cargo test --test examples golden -- --include-ignored
 
@@ -28,17 +28,17 @@ const LONG: [&str; 3] = [
     "examples/03_space_web/canopies/rigid",
 ];
 
-/// How the record is written anew.
+/// The command that writes the record again.
 const ANEW: &str =
-    "where results change on purpose: NETCAST_GOLDEN=write cargo test --test examples golden -- --include-ignored";
+    "if results change on purpose: NETCAST_GOLDEN=write cargo test --test examples golden -- --include-ignored";
 
-/// One writes the record at a time.
+/// Held by the test that writes the record.
 static WRITING: Mutex<()> = Mutex::new(());
 
 /// The lines of the record: the hash of each file, by `scenario/file`.
 type Record = BTreeMap<String, String>;
 
-/// A scenario that the record is about.
+/// A scenario of the record.
 #[derive(Clone)]
 struct Golden {
     /// Its path in the repository, without `.toml`.
@@ -54,9 +54,9 @@ fn record_file() -> PathBuf {
     folder_of_golden().join("record.txt")
 }
 
-/// Those of a folder, which the repository calls `name`, and of the folders in it.
+/// The scenarios in `folder` and its subfolders; `name` is the path of the folder in the repository.
 fn goldens(folder: &Path, name: &str) -> Vec<Golden> {
-    // a folder of numbers reported elsewhere compares other examples and has no scenario of its own
+    // a folder with reported.toml compares other examples and has no scenario of its own
     if folder.join("reported.toml").exists() {
         return Vec::new();
     }
@@ -92,19 +92,19 @@ fn long_goldens() -> Vec<Golden> {
     LONG.iter().map(|name| find(name).unwrap_or_else(|| panic!("{name} is no example"))).collect()
 }
 
-/// The record as it is kept.
+/// The record in tests/golden/.
 fn kept() -> Record {
     let text = fs::read_to_string(record_file()).unwrap_or_default();
     let line = |line: &str| line.split_once("  ").map(|(hash, file)| (file.to_owned(), hash.to_owned()));
     text.lines().map(|told| line(told).unwrap_or_else(|| panic!("no line of a record: {told}"))).collect()
 }
 
-/// The scenario of a file in the record.
+/// The name of the scenario of a file in the record.
 fn scenario_of(file: &str) -> &str {
     file.rsplit_once('/').map_or("", |(scenario, _)| scenario)
 }
 
-/// Whether the record is to be written and not checked.
+/// Whether to write the record instead of checking it.
 fn writes() -> bool {
     match env::var("NETCAST_GOLDEN").as_deref() {
         Err(_) => false,
@@ -116,7 +116,7 @@ fn writes() -> bool {
     }
 }
 
-/// The lines of the record that a scenario comes to. An example is the same run for all tests, on one thread.
+/// Runs a scenario and returns its lines of the record. An example runs once for all tests, on one thread.
 fn found(golden: &Golden, threads: usize) -> Record {
     let name = &golden.name;
     let hashes = if name.starts_with("examples/") {
@@ -127,7 +127,7 @@ fn found(golden: &Golden, threads: usize) -> Record {
     FILES.iter().zip(hashes).map(|(file, hash)| (format!("{name}/{file}"), hash)).collect()
 }
 
-/// Runs them, several beside each other; each on so many threads.
+/// Runs scenarios side by side, each on `threads` threads, and returns their lines of the record.
 fn found_of_all(goldens: &[Golden], threads: usize) -> Record {
     let (next, record) = (AtomicUsize::new(0), Mutex::new(Record::new()));
     let work = || {
@@ -137,11 +137,15 @@ fn found_of_all(goldens: &[Golden], threads: usize) -> Record {
         }
     };
     let workers = thread::available_parallelism().map_or(1, |n| n.get());
-    thread::scope(|scope| (0..workers).for_each(|_| drop(scope.spawn(work))));
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(work);
+        }
+    });
     record.into_inner().unwrap()
 }
 
-/// Writes what was found over what was kept of the same scenarios; what is of no scenario any more goes.
+/// Replaces the lines of these scenarios in the record, and removes lines of scenarios that no longer exist.
 fn write(found: Record) {
     let _alone = WRITING.lock().unwrap();
     let all: BTreeSet<String> = all_goldens().into_iter().map(|one| one.name).collect();
@@ -153,7 +157,7 @@ fn write(found: Record) {
     fs::write(record_file(), lines).unwrap();
 }
 
-/// Checks these scenarios on so many threads each, or writes what they come to.
+/// Runs these scenarios on `threads` threads each, and compares them with the record or writes it.
 #[track_caller]
 fn check(goldens: &[Golden], threads: usize) {
     let writes = writes();
@@ -168,7 +172,7 @@ fn check(goldens: &[Golden], threads: usize) {
 }
 
 #[test]
-fn the_record_has_every_scenario_and_no_other() {
+fn the_record_lists_every_scenario_and_no_other() {
     if writes() {
         return;
     }

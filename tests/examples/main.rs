@@ -1,5 +1,5 @@
-//! The shipped examples, each run once: they end with their energy accounted for, the webs of the paper come out as it
-//! reports, and all results have the bytes of the golden record.
+//! The shipped examples, each run once: their energy balance closes, the webs of the paper agree with its numbers, and all
+//! results have the bytes of the golden record.
 
 #[path = "../support/mod.rs"]
 mod support;

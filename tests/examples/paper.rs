@@ -1,7 +1,7 @@
-//! The three webs of the founding paper, run from their example folders, beside what the paper reports.
+//! The three webs of the founding paper, run from their example folders, against the numbers of the paper.
 //!
-//! The table of docs/validation/paper.md is held to these runs: it is printed by `cargo test --test examples paper --
-//! --nocapture`.
+//! The table of docs/validation/paper.md must be that of these runs. `cargo test --test examples paper -- --nocapture` prints
+//! it.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -10,7 +10,7 @@ use netcast::results::Summary;
 
 use crate::runs;
 
-/// What the paper reports of a web; `None` where it does not say.
+/// The numbers of the paper for a web; `None` if it gives none.
 struct Reported {
     web: &'static str,
     scenario: &'static str,
@@ -68,19 +68,20 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace")
 }
 
-/// (speed, time) or (travel, time) of a point.
+/// Peak speed of a point, m/s, and its time, s.
 fn speed(summary: &Summary, point: &str) -> (f64, f64) {
     let p = summary.points[point].as_ref().expect("the point exists");
     (p.peak_speed_m_s.expect("it moves"), p.peak_speed_time_s.expect("it moves"))
 }
 
+/// Peak travel of a point, m, and its time, s.
 fn travel(summary: &Summary, point: &str) -> (f64, f64) {
     let p = summary.points[point].as_ref().expect("the point exists");
     (p.peak_travel_m.expect("it moves"), p.peak_travel_time_s.expect("it moves"))
 }
 
 #[test]
-fn the_three_webs_come_out_as_the_paper_says() {
+fn the_three_webs_agree_with_the_paper() {
     let runs = PAPER.map(|reported| {
         let run = runs::example(&root().join("examples").join(reported.scenario));
         (reported, run.ran.summary.clone())

@@ -1,4 +1,4 @@
-//! Scenarios that are run as they stand, and what is kept of them; an example is run once, however many tests ask.
+//! Runs of whole scenarios for the other tests. An example is run once, however many tests need it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,23 +10,23 @@ use netcast::{Case, Model, Ran};
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
 
-/// The files that the golden record is about.
+/// The files in the golden record.
 pub const FILES: [&str; 3] = [folder::HISTORY, folder::FIELDS, folder::SUMMARY];
 
 /// A finished run.
 pub struct Finished {
     pub model: Model,
-    /// Its folder is gone.
+    /// The result; its folder no longer exists.
     pub ran: Ran,
     pub history: History,
-    /// SHA-256 of each of [`FILES`], of the summary without its line `wall_time_s`.
+    /// SHA-256 of each of [`FILES`]; that of the summary leaves out its line `wall_time_s`.
     pub hashes: [String; 3],
 }
 
-/// Runs a scenario on so many threads.
+/// Runs a scenario on `threads` threads.
 ///
 /// # Panics
-/// Where it is wrong or does not run to its end.
+/// If it is wrong or does not run to its end.
 pub fn run(scenario: &Path, threads: usize) -> Finished {
     let name = scenario.display();
     let case = Case::read(scenario, &[]).unwrap_or_else(|errors| panic!("{name}: {errors}"));
@@ -51,7 +51,7 @@ fn hash(target: &Path, file: &str) -> String {
 
 type Once = Arc<OnceLock<Arc<Finished>>>;
 
-/// Runs an example, unless another test has; waits where another test does.
+/// The run of an example. The first test to ask runs it, the others wait.
 ///
 /// # Panics
 /// As [`run`].

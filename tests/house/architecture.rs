@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md says which crate may import which of ours. This holds it to what cargo sees.
+//! ARCHITECTURE.md lists the imports that each crate may have. These tests compare it with the manifests.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,16 +11,16 @@ fn repository() -> &'static Path {
 
 fn metadata() -> Metadata {
     let manifest = repository().join("Cargo.toml");
-    // what our own crates ask for, without resolving it: that needs no network
+    // dependencies are not resolved, so that no network is needed
     MetadataCommand::new().manifest_path(manifest).no_deps().exec().expect("cargo reads the workspace")
 }
 
-/// What the documents call a package: `webs` for `netcast-webs`.
+/// The name of a package in the documents: `webs` for `netcast-webs`.
 fn short(package: &str) -> &str {
     package.strip_prefix("netcast-").unwrap_or(package)
 }
 
-/// Our crates by what the documents call them, each with those of ours that it depends on outside its tests.
+/// Our crates by their names in the documents, each with our crates that it depends on outside its tests.
 fn imports(metadata: &Metadata) -> BTreeMap<String, BTreeSet<String>> {
     let ours = metadata.workspace_packages();
     let names: BTreeSet<&str> = ours.iter().map(|package| package.name.as_str()).collect();
@@ -31,7 +31,7 @@ fn imports(metadata: &Metadata) -> BTreeMap<String, BTreeSet<String>> {
     ours.iter().map(|package| (short(&package.name).to_owned(), of(package))).collect()
 }
 
-/// The table of ARCHITECTURE.md: each crate with those that it may import.
+/// The table of ARCHITECTURE.md: each crate with the crates that it may import.
 fn table() -> BTreeMap<String, BTreeSet<String>> {
     let text = std::fs::read_to_string(repository().join("ARCHITECTURE.md")).expect("there is an ARCHITECTURE.md");
     let rows = text.lines().skip_while(|line| !line.starts_with("| crate |")).skip(2);
@@ -48,7 +48,7 @@ fn table() -> BTreeMap<String, BTreeSet<String>> {
     table
 }
 
-/// The crates that a cell of the table names. A program that is only run is none of them.
+/// The crates that a cell of the table names; `above` are the crates of the rows above. A program is not an import.
 fn allowed(cell: &str, above: &BTreeSet<String>) -> BTreeSet<String> {
     let names = cell.split(',').map(str::trim).filter(|name| !name.ends_with("(as a program)"));
     let names = names.map(|name| name.split(" (").next().unwrap_or(name));
@@ -81,7 +81,7 @@ fn no_crate_imports_more_than_the_table_allows() {
     }
 }
 
-/// Geometry and numerics know no format of a file; that their values can be written by one (serde) is all.
+/// Geometry and numerics depend on no file format; serde alone is allowed.
 #[test]
 fn webs_and_dynamics_read_and_write_no_files() {
     let metadata = metadata();

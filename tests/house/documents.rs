@@ -1,4 +1,4 @@
-//! The Markdown files of the repository: lines that fit on a screen, links that lead somewhere.
+//! Markdown files of the repository: the length of lines, and links whose targets exist.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,7 +14,7 @@ fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the tests are a folder of the repository")
 }
 
-/// Every Markdown file below `folder`, hidden folders apart.
+/// Every Markdown file below `folder`, except in hidden folders.
 fn documents(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder that can be read") {
@@ -29,7 +29,7 @@ fn documents(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The lines of prose and tables with their numbers: code blocks, fenced or indented after a blank line, are left out.
+/// The lines outside code blocks with their numbers. A code block is fenced, or indented after a blank line.
 fn prose(text: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let (mut fenced, mut indented, mut blank) = (false, false, true);
@@ -58,7 +58,7 @@ fn long_lines(text: &str) -> Vec<String> {
 fn links(text: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     for (number, line) in prose(text) {
-        // what stands between two backticks is code
+        // text between two backticks is code
         let plain: String = line.split('`').step_by(2).collect::<Vec<_>>().join("`");
         for part in plain.split("](").skip(1) {
             let target = part.split(')').next().unwrap_or_default();
@@ -68,7 +68,7 @@ fn links(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// The anchors that headings give: lower case, spaces as hyphens, other marks dropped.
+/// The anchors of headings: lower case, hyphens for spaces, without punctuation.
 fn anchors(text: &str) -> BTreeSet<String> {
     let headings = prose(text).into_iter().filter(|(_, line)| line.starts_with('#'));
     let titles = headings.map(|(_, line)| line.trim_start_matches('#').trim().to_lowercase());
@@ -76,7 +76,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     titles.map(|title| title.chars().filter(kept).collect::<String>().replace(' ', "-")).collect()
 }
 
-/// What is wrong with a relative link that stands in a file of `folder`; `own` is that file's text.
+/// The fault of a relative link in a file of `folder`, if there is one; `own` is the text of that file.
 fn fault(folder: &Path, own: &str, link: &str) -> Option<String> {
     if link.contains("://") {
         return None;
@@ -90,7 +90,7 @@ fn fault(folder: &Path, own: &str, link: &str) -> Option<String> {
     (!anchor.is_empty() && !anchors(&text).contains(anchor)).then(|| format!("{link} has no such heading"))
 }
 
-/// What `look` finds wrong in any document: `file:fault`.
+/// All faults that `look` finds in the documents, as `file:fault`.
 fn faults(look: impl Fn(&Path, &str) -> Vec<String>) -> Vec<String> {
     let root = repository();
     let found = documents(root);
@@ -106,13 +106,13 @@ fn faults(look: impl Fn(&Path, &str) -> Vec<String>) -> Vec<String> {
 }
 
 #[test]
-fn lines_of_documents_fit_on_a_screen() {
+fn lines_of_documents_have_at_most_160_characters() {
     let wrong = faults(|_, text| long_lines(text));
     assert!(wrong.is_empty(), "longer than {LONGEST} characters:\n{}", wrong.join("\n"));
 }
 
 #[test]
-fn links_of_documents_lead_somewhere() {
+fn links_of_documents_have_targets() {
     let wrong = faults(|folder, text| {
         let broken = links(text).into_iter().filter_map(|(number, link)| Some((number, fault(folder, text, &link)?)));
         broken.map(|(number, fault)| format!("{number}: {fault}")).collect()
@@ -121,7 +121,7 @@ fn links_of_documents_lead_somewhere() {
 }
 
 #[test]
-fn a_long_line_is_seen_in_prose_and_not_in_tables_or_code() {
+fn a_long_line_is_found_in_prose_but_not_in_tables_or_code() {
     let long = "x".repeat(LONGEST + 1);
     let short = "é".repeat(LONGEST);
     let text = format!("{long}\n| {long} |\n\n    {long}\n\n```sh\n{long}\n```\n{short}\n* {long}\n");
@@ -129,7 +129,7 @@ fn a_long_line_is_seen_in_prose_and_not_in_tables_or_code() {
 }
 
 #[test]
-fn a_broken_link_is_seen_and_one_in_code_is_not() {
+fn a_broken_link_is_found_unless_it_is_in_code() {
     let text = "# How fast, and `why`\n\n[a](b.md) ![c](d.png) `[e](f)`\n\n```\n[g](h)\n```\n[i](#how-fast-and-why)\n";
     let found = links(text);
     assert_eq!(found, [(3, "b.md".to_owned()), (3, "d.png".to_owned()), (8, "#how-fast-and-why".to_owned())]);

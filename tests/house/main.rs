@@ -1,4 +1,4 @@
-//! The order of the repository: which crate and which module imports which, and its documents.
+//! Rules of the repository: imports between crates and modules, and the form of its documents.
 
 mod architecture;
 mod documents;

@@ -1,11 +1,12 @@
-//! Inside a crate imports run one way too: no circles among the modules of one folder, and in `dynamics` only towards the
-//! modules that ARCHITECTURE.md lists before. A file and its own submodules may know each other. Unit tests do not count.
+//! Imports within a crate run one way: the modules of one folder import each other in no circle, and a module of `dynamics`
+//! imports only modules that ARCHITECTURE.md lists before it. A file and its own submodules may import each other. Unit tests
+//! do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A module by the names on its way from the crate's root; the root is empty.
+/// A module by the names on its path from the root of the crate; the root is empty.
 type Module = Vec<String>;
 
 fn repository() -> &'static Path {
@@ -46,7 +47,7 @@ fn code(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The paths that a text names which begin with `crate::` or `super::`, groups in braces written out.
+/// The paths in a text that begin with `crate::` or `super::`, with groups in braces expanded.
 fn paths(text: &str) -> Vec<Vec<String>> {
     let mut paths = Vec::new();
     for start in ["crate::", "super::"] {
@@ -62,7 +63,7 @@ fn paths(text: &str) -> Vec<Vec<String>> {
     paths
 }
 
-/// Reads a path at the start of `text` behind `before`, and returns what is left.
+/// Reads a path at the start of `text` that continues `before`, adds it to `paths`, and returns the rest of the text.
 fn read_path<'t>(mut text: &'t str, before: &mut Vec<String>, paths: &mut Vec<Vec<String>>) -> &'t str {
     let depth = before.len();
     loop {
@@ -88,7 +89,7 @@ fn read_path<'t>(mut text: &'t str, before: &mut Vec<String>, paths: &mut Vec<Ve
     text
 }
 
-/// The module that a path in `module` leads to: the longest part of it that is one.
+/// The module that a path in `module` names: the longest part of the path that is a module.
 fn resolve(module: &Module, path: &[String], all: &BTreeMap<Module, String>) -> Module {
     let mut at = if path[0] == "crate" { Vec::new() } else { module.clone() };
     for name in path {
@@ -109,7 +110,7 @@ fn resolve(module: &Module, path: &[String], all: &BTreeMap<Module, String>) -> 
     at
 }
 
-/// Who imports whom among the modules of each folder, a folder being the module that they are parts of.
+/// The imports among the modules of each folder, by the module of the folder.
 fn imports(source: &Path) -> BTreeMap<Module, BTreeMap<String, BTreeSet<String>>> {
     let all = modules(source);
     let mut imports: BTreeMap<Module, BTreeMap<String, BTreeSet<String>>> = BTreeMap::new();
@@ -126,7 +127,7 @@ fn imports(source: &Path) -> BTreeMap<Module, BTreeMap<String, BTreeSet<String>>
     imports
 }
 
-/// The modules that can be reached from one, itself only by a circle.
+/// The modules that `from` imports, directly or not; it contains `from` only in a circle.
 fn reached(from: &str, imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
     let (mut reached, mut open) = (BTreeSet::new(), vec![from.to_owned()]);
     while let Some(module) = open.pop() {
@@ -140,7 +141,7 @@ fn reached(from: &str, imports: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet
 }
 
 #[test]
-fn no_modules_of_a_folder_import_each_other_in_a_circle() {
+fn modules_of_a_folder_import_each_other_in_no_circle() {
     let mut circles = Vec::new();
     for (name, source) in crates() {
         for (folder, imports) in imports(&source) {
@@ -164,7 +165,7 @@ fn order() -> Vec<String> {
 }
 
 #[test]
-fn modules_of_dynamics_import_only_those_that_are_listed_before_them() {
+fn modules_of_dynamics_import_only_modules_listed_before_them() {
     let (order, source) = (order(), crates()["dynamics"].clone());
     let place = |name: &str| order.iter().position(|other| other == name);
     let tops: BTreeSet<String> = modules(&source).into_keys().filter_map(|module| module.first().cloned()).collect();
@@ -176,7 +177,7 @@ fn modules_of_dynamics_import_only_those_that_are_listed_before_them() {
 }
 
 #[test]
-fn paths_are_read_with_their_groups() {
+fn paths_are_read_with_groups_expanded() {
     let found = paths("use crate::a::{b, c::{d, E}, self};\nlet x = super::super::f::g(crate::h);");
     let joined: Vec<String> = found.iter().map(|path| path.join("::")).collect();
     let expected =

@@ -25,11 +25,11 @@ from vtkmodules.vtkIOHDF import vtkHDFReader
 
 
 class Mismatch(Exception):
-    """Two of the three disagree."""
+    """Two readers, or the fields and history.csv, disagree."""
 
 
 def require_equal(what, expected, found):
-    """The same numbers to the last bit, in the same shape."""
+    """Raises Mismatch unless both arrays have the same shape and the same values; NaN equals NaN."""
     expected, found = np.asarray(expected), np.asarray(found)
     if expected.shape != found.shape:
         raise Mismatch(f"{what}: shape {found.shape}, expected {expected.shape}")
@@ -114,7 +114,7 @@ def check(folder):
     stride = rows_a_step(history["time_s"], fields["times"])
     history = {name: values[::stride] for name, values in history.items()}
     require_equal("h5py: times against history.csv", history["time_s"], fields["times"])
-    # members of canopies are no ropes, nor are triangles of sheets, which have no class
+    # neither members of canopies nor triangles of sheets, which have no class, are ropes
     ropes = [number >= 0 and fields["class_names"][number] != "canopy" for number in fields["class"]]
     if any(ropes):
         highest = fields["tension"][:, ropes].max(axis=1)

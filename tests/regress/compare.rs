@@ -1,20 +1,20 @@
-//! Comparisons as a whole: the shipped one, and the most designs that one may have.
+//! Whole comparisons: the shipped one, and one with the largest number of designs.
 
 use std::path::PathBuf;
 
 use crate::support::examples;
 use netcast::{Lineup, MOST, RunOptions, compare};
 
-/// Numbers of the paper that no web has, or under a name that no summary has, would be faults.
+/// Reading fails if a reported number names an unknown web or an unknown quantity.
 #[test]
-fn the_papers_numbers_are_quantities_of_its_webs() {
+fn the_numbers_of_the_paper_are_quantities_of_its_webs() {
     let webs = ["01_traditional_web/traditional_web", "02_topological_web/topological_web", "03_space_web/space_web"];
     let webs: Vec<PathBuf> = webs.iter().map(|web| examples().join(format!("{web}.toml"))).collect();
     let folder = examples().join("07_three_webs");
     let lineup = Lineup::read(&webs, &[], Some(&folder.join("reported.toml"))).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(lineup.names().collect::<Vec<_>>(), ["traditional_web", "topological_web", "space_web"]);
 
-    // the README's command is the one that was just read
+    // the command in the README names the same scenarios
     let readme = std::fs::read_to_string(folder.join("README.md")).unwrap();
     for web in &webs {
         let path = web.strip_prefix(examples()).unwrap();
@@ -23,7 +23,7 @@ fn the_papers_numbers_are_quantities_of_its_webs() {
 }
 
 #[test]
-fn twelve_designs_are_told_apart() {
+fn twelve_designs_are_distinct_in_table_and_page() {
     let folder = tempfile::tempdir().unwrap();
     let net = std::fs::read_to_string(examples().join("04_square_net/square_net.toml")).unwrap();
     let designs: Vec<PathBuf> = (0..MOST)
@@ -45,7 +45,7 @@ fn twelve_designs_are_told_apart() {
 
     let [difference] = &compared.comparison.differences[..] else { panic!("{:?}", compared.comparison.differences) };
     assert_eq!((&difference.path[..], difference.values.len()), ("launch.axial_speed", MOST));
-    // faster along the axis goes farther along it
+    // the fastest design travels farthest
     let travel = compared.comparison.table.iter().find(|row| row.quantity == "points.tractor.peak_travel_m").unwrap();
     assert_eq!(travel.best, ["speed_31"]);
 

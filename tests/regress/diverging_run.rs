@@ -1,11 +1,11 @@
-//! A run that diverges between two records, to numbers beyond f64: what was computed up to then is kept and readable.
+//! A run that diverges between two records until f64 overflows: the results before are kept and readable.
 
 use crate::support::examples;
 use netcast::Case;
 
 #[test]
-fn a_run_that_overflows_keeps_what_it_had() {
-    // nothing is lost in its ropes, and the step is near the limit: the energy grows at every slack-taut event
+fn a_run_that_overflows_keeps_its_results() {
+    // without damping and near the stability limit the energy grows at every slack-taut event
     let overrides =
         ["rope.damping_ratio=0", "solve.step_fraction=0.9", "solve.on_energy_error=flag"].map(str::to_owned);
     let case = Case::read(examples().join("04_square_net/square_net.toml"), &overrides).unwrap();

@@ -1,5 +1,5 @@
-//! Whatever a reader is given, it reads or refuses: the corpus of fuzz/, inputs too large to be kept there, and what
-//! netcast itself ships or writes with something broken.
+//! Readers accept or refuse any input without panic: the corpus of fuzz/, inputs too large for it, and damaged files of
+//! netcast.
 
 use std::fs;
 use std::panic::catch_unwind;
@@ -12,7 +12,7 @@ use netcast_fuzz::{TARGETS, Target, fields, graph_files, history, landmarks, ove
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-/// Longer than this no input of a megabyte may take, in a debug build on a busy machine: what hangs takes hours.
+/// The longest time for an input of a megabyte, in a debug build on a busy machine. A reader that hangs takes hours.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 fn corpus(target: &str) -> PathBuf {
@@ -34,26 +34,26 @@ fn inputs(target: &str) -> Vec<(String, Vec<u8>)> {
 
 #[test]
 fn the_corpus_is_read_or_refused() {
-    let mut fallen = Vec::new();
+    let mut panicked = Vec::new();
     for (target, run) in TARGETS {
         for (name, bytes) in inputs(target) {
             if catch_unwind(|| run(&bytes)).is_err() {
-                fallen.push(format!("{target}/{name}"));
+                panicked.push(format!("{target}/{name}"));
             }
         }
     }
-    assert!(fallen.is_empty(), "{} fell over, see above: {fallen:#?}", fallen.len());
+    assert!(panicked.is_empty(), "{} inputs panicked, see above: {panicked:#?}", panicked.len());
 }
 
-/// The seeds that are to be read are of the format of today, else nothing behind its first bytes is tried.
+/// The valid seeds have the present format; otherwise readers would refuse them at their first bytes.
 #[test]
-fn the_plain_journal_of_the_corpus_is_read_whole() {
+fn the_plain_journal_of_the_corpus_is_read_completely() {
     let (_, lost) = read_journal(&corpus("journal").join("plain")).unwrap();
     assert_eq!(lost, 0);
     assert!(read_journal(&corpus("journal").join("an_older_version")).is_err());
 }
 
-/// Inputs of a megabyte that no repository should keep. Each one is read by every target.
+/// Inputs of a megabyte, too large for the repository. Every target reads each of them.
 #[test]
 fn a_megabyte_of_anything_is_read_or_refused_in_time() {
     let mega = 1 << 20;
@@ -98,14 +98,14 @@ fn a_megabyte_of_anything_is_read_or_refused_in_time() {
     });
 }
 
-/// A file of `rows` nodes in a chain, its ropes and its stowing; `rope` gives the ends of the rope after a node.
+/// The files of a chain of `rows` nodes: nodes, ropes, stowed positions. `rope` gives the row of the rope that ends at a node.
 fn chain(rows: usize, rope: impl Fn(usize) -> String) -> Vec<u8> {
     let nodes: String = (0..rows).map(|node| format!("n{node},{node},0,0\n")).collect();
     let ropes: String = (1..rows).map(rope).collect();
     format!("id,x,y,z\n{nodes}\u{1c}a,b\n{ropes}\u{1c}id,x,y,z\n{nodes}").into_bytes()
 }
 
-/// Every unknown name was compared with every name there is, although only the first twenty faults are told.
+/// Every unknown name was compared with every known name, although only the first twenty mistakes are reported.
 #[test]
 fn a_table_of_unknown_names_is_refused_in_time() {
     let clock = Instant::now();
@@ -113,8 +113,8 @@ fn a_table_of_unknown_names_is_refused_in_time() {
     assert!(clock.elapsed() < PATIENCE, "{:?}", clock.elapsed());
 }
 
-/// A field file with each byte changed, and cut at each byte. It panicked where a number of nodes could not be, and let
-/// segments pass whose nodes are not there.
+/// A field file with each byte changed, and cut at each byte. The reader panicked at an impossible number of nodes, and
+/// accepted segments whose nodes did not exist.
 #[test]
 fn a_damaged_field_file_is_read_or_refused() {
     let whole = &fs::read(corpus("fields").join("plain")).expect("it is in the corpus");
@@ -135,7 +135,7 @@ fn a_damaged_field_file_is_read_or_refused() {
     });
 }
 
-/// What can happen to a text on its way.
+/// Damage to a text.
 #[derive(Clone, Debug)]
 enum Mishap {
     LineLost(Index),
@@ -146,7 +146,7 @@ enum Mishap {
     Replaced(Index, &'static str),
 }
 
-/// What a word of a scenario is replaced by.
+/// Replacements for a word of a scenario.
 const WORDS: &[&str] = &[
     "\"1 kg\"",
     "\"1 m/s\"",
@@ -187,7 +187,8 @@ impl Mishap {
         ]
     }
 
-    fn happen(&self, text: &[u8]) -> Vec<u8> {
+    /// The text with this damage.
+    fn apply(&self, text: &[u8]) -> Vec<u8> {
         let mut lines: Vec<&[u8]> = text.split_inclusive(|&byte| byte == b'\n').collect();
         let (bytes, count) = (text.len(), lines.len());
         if bytes == 0 {
@@ -213,15 +214,15 @@ impl Mishap {
     }
 }
 
-/// Where something other than blanks and commas stands.
+/// The places of words between blanks, line breaks and commas.
 fn words(text: &[u8]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
     let parts = text.split(|byte| matches!(byte, b' ' | b'\n' | b','));
     let at = move |part: &[u8]| part.as_ptr() as usize - text.as_ptr() as usize;
     parts.filter(|part| !part.is_empty()).map(move |part| at(part)..at(part) + part.len())
 }
 
-/// Inputs that are read, each with its target.
-fn sound() -> Vec<(Target, Vec<u8>)> {
+/// The valid inputs of the corpus, each with its target.
+fn valid_inputs() -> Vec<(Target, Vec<u8>)> {
     let whole = |target: &str, run: Target, starts: &[&str]| {
         let inputs = inputs(target).into_iter().filter(|(name, _)| starts.iter().any(|start| name.starts_with(start)));
         inputs.map(|(_, bytes)| (run, bytes)).collect::<Vec<_>>()
@@ -241,12 +242,12 @@ fn sound() -> Vec<(Target, Vec<u8>)> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 3000, ..ProptestConfig::default() })]
 
-    /// No panic, and what is refused says where: the targets see to that.
+    /// The targets assert that nothing panics and that a refusal names a place.
     #[test]
-    fn what_is_sound_with_mishaps_is_read_or_refused(
-        (run, text) in select(sound()),
+    fn damaged_valid_inputs_are_read_or_refused(
+        (run, text) in select(valid_inputs()),
         mishaps in prop::collection::vec(Mishap::any(), 1..4),
     ) {
-        run(&mishaps.iter().fold(text, |text, mishap| mishap.happen(&text)));
+        run(&mishaps.iter().fold(text, |text, mishap| mishap.apply(&text)));
     }
 }

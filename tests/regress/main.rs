@@ -1,4 +1,4 @@
-//! What must not come back or be lost: restarts, damaged files, hostile input, runs that diverge.
+//! Faults that were once there: in restarts, damaged files, hostile input, diverging runs and comparisons.
 
 #[path = "../support/mod.rs"]
 mod support;

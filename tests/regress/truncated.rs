@@ -1,4 +1,4 @@
-//! A run's files, cut off at every byte: what is left is read or refused, and never told wrongly.
+//! Files of a run, cut at every byte: readers accept the rest up to its last record, or refuse it.
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -27,11 +27,11 @@ fn case() -> Case {
 }
 
 fn options(resume: bool) -> RunOptions {
-    // at the first record after 4 ms, and no other
+    // one checkpoint, at the first record after 4 ms
     RunOptions { threads: 1, resume, checkpoint_every: CheckpointEvery::Simulated(4e-3) }
 }
 
-/// What a run leaves that dies at its seventh record, and what it would have come to.
+/// The folder of a complete run, and the folder of the same run after it died at its seventh record.
 fn cut_off(root: &TempDir) -> (PathBuf, PathBuf) {
     let [whole, target] = ["whole", "net"].map(|name| root.path().join(name));
     case().simulation().options(options(false)).run_to(&whole).unwrap();
@@ -52,13 +52,17 @@ fn files_in(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     files.map(|path| (path.clone(), fs::read(&path).unwrap())).collect()
 }
 
-/// Makes a folder hold these files. New ones: to write over old ones makes some file systems wait for the disk.
+/// Replaces the files of a folder. The old ones are removed first: on some file systems overwriting waits for the disk.
 fn restore(folder: &Path, files: &[(PathBuf, Vec<u8>)]) {
-    files_in(folder).iter().for_each(|(path, _)| fs::remove_file(path).unwrap());
-    files.iter().for_each(|(path, content)| fs::write(path, content).unwrap());
+    for (path, _) in files_in(folder) {
+        fs::remove_file(path).unwrap();
+    }
+    for (path, content) in files {
+        fs::write(path, content).unwrap();
+    }
 }
 
-/// These files, one of them cut off.
+/// These files; the one called `name` is cut at the byte `end`.
 fn cut(files: &[(PathBuf, Vec<u8>)], name: &str, end: usize) -> Vec<(PathBuf, Vec<u8>)> {
     let cut = |(path, content): &(PathBuf, Vec<u8>)| {
         let end = if path.ends_with(name) { end } else { content.len() };
@@ -68,7 +72,7 @@ fn cut(files: &[(PathBuf, Vec<u8>)], name: &str, end: usize) -> Vec<(PathBuf, Ve
 }
 
 #[test]
-fn a_run_that_died_is_readable_up_to_its_last_record_and_goes_on() {
+fn a_run_that_died_is_readable_up_to_its_last_record_and_can_be_resumed() {
     let root = TempDir::new().unwrap();
     let (whole, left) = cut_off(&root);
     let told = recover(&left).unwrap();
@@ -79,7 +83,7 @@ fn a_run_that_died_is_readable_up_to_its_last_record_and_goes_on() {
     assert_eq!(fields.times, all.times[..4]);
     assert_eq!((fields.positions(3), fields.velocities(3)), (all.positions(3), all.velocities(3)));
     write_report(&left).unwrap();
-    // a second look changes nothing, and finds nothing more
+    // a second recovery changes and reports nothing
     assert_eq!(recover(&left).unwrap(), [""; 0]);
 
     let ran = case().simulation().options(options(true)).run_to(root.path().join("net")).unwrap();
@@ -90,7 +94,7 @@ fn a_run_that_died_is_readable_up_to_its_last_record_and_goes_on() {
 }
 
 #[test]
-fn a_file_cut_anywhere_is_read_up_to_its_last_whole_record_or_refused() {
+fn a_file_cut_at_any_byte_is_read_up_to_its_last_complete_record_or_refused() {
     let root = TempDir::new().unwrap();
     let (whole, left) = cut_off(&root);
     let (history, fields) =
@@ -120,7 +124,7 @@ fn a_file_cut_anywhere_is_read_up_to_its_last_whole_record_or_refused() {
                 assert_eq!(frames.positions(frame), fields.positions(frame), "{name} at {end}");
                 assert_eq!(frames.tensions(frame), fields.tensions(frame), "{name} at {end}");
             }
-            // what is missing of a record is told, unless the cut falls between two
+            // an incomplete record is reported; a cut between two records leaves none
             let cut_inside = match name {
                 folder::HISTORY => content[end - 1] != b'\n',
                 _ => told.iter().any(|told| told.contains("are no whole frame")),
@@ -132,7 +136,7 @@ fn a_file_cut_anywhere_is_read_up_to_its_last_whole_record_or_refused() {
 }
 
 #[test]
-fn a_run_goes_on_only_from_files_that_hold_all_that_its_checkpoint_counts_on() {
+fn a_run_is_resumed_only_from_files_with_all_records_of_its_checkpoint() {
     let root = TempDir::new().unwrap();
     let (whole, left) = cut_off(&root);
     let target = root.path().join("net");
@@ -140,7 +144,7 @@ fn a_run_goes_on_only_from_files_that_hold_all_that_its_checkpoint_counts_on() {
     let (mut resumed, mut refused) = (0, 0);
     for name in [folder::HISTORY, folder::FIELDS_PART, folder::CHECKPOINT] {
         let (path, content) = files.iter().find(|(path, _)| path.ends_with(name)).unwrap();
-        // every byte is tried on the readers; whole runs from every hundredth or so
+        // readers are tried at every byte, whole runs at about every hundredth
         for end in (0..content.len()).step_by(97) {
             fs::create_dir_all(&left).unwrap();
             restore(&left, &cut(&files, name, end));

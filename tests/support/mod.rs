@@ -1,4 +1,4 @@
-//! What the tests of this package share: a scenario run in a folder of its own, and read back.
+//! Helpers of the tests of this package: a scenario is run in a temporary folder and its results are read back.
 #![allow(dead_code)] // each test program uses its own part
 
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use netcast::scenario::Source;
 use netcast::{Case, Document, Model};
 use tempfile::TempDir;
 
-/// A run and what it wrote, read back from its result folder.
+/// A run with its results, read back from the result folder.
 pub struct Run {
     /// The model that was run.
     pub model: Model,
@@ -24,7 +24,7 @@ impl Run {
     /// Runs a shipped example, `folder/name.toml`, with overrides as after `--set`.
     ///
     /// # Panics
-    /// Where the scenario is wrong or the run fails.
+    /// If the scenario is wrong or the run fails.
     pub fn example(name: &str, overrides: &[&str]) -> Run {
         let overrides: Vec<String> = overrides.iter().map(|o| o.to_string()).collect();
         let document = Document::read(&examples().join(name), &overrides).unwrap_or_else(|e| panic!("{e}"));
@@ -35,15 +35,16 @@ impl Run {
     /// files, nodes.csv and ropes.csv.
     ///
     /// # Panics
-    /// Where the scenario is wrong or the run fails.
+    /// If the scenario is wrong or the run fails.
     pub fn graph(scenario: &str, nodes: &str, ropes: &str) -> Run {
         let inputs = TempDir::new().expect("a temporary folder");
         for (name, text) in [("nodes.csv", nodes), ("ropes.csv", ropes)] {
             std::fs::write(inputs.path().join(name), text).expect("a file in a temporary folder");
         }
-        let web = match scenario.contains("web.graph") {
-            true => "",
-            false => "[web.graph]\nnodes = \"nodes.csv\"\nropes = \"ropes.csv\"\n",
+        let web = if scenario.contains("web.graph") {
+            ""
+        } else {
+            "[web.graph]\nnodes = \"nodes.csv\"\nropes = \"ropes.csv\"\n"
         };
         let source = Source { name: "graph.toml".into(), text: format!("{scenario}{web}") };
         let document = Document::parse(source, inputs.path(), &[]).unwrap_or_else(|e| panic!("{e}"));
@@ -53,7 +54,7 @@ impl Run {
     /// Runs a scenario.
     ///
     /// # Panics
-    /// Where it is wrong or the run fails.
+    /// If it is wrong or the run fails.
     pub fn of(document: &Document) -> Run {
         let results = TempDir::new().expect("a temporary folder");
         let target = results.path().join("run");
@@ -68,10 +69,10 @@ impl Run {
         }
     }
 
-    /// A column of the history.
+    /// A column of the history, (records,).
     ///
     /// # Panics
-    /// Where there is no such column, or a cell of it is empty.
+    /// If there is no such column, or a cell of it is empty.
     pub fn column(&self, name: &str) -> Vec<f64> {
         let values = self.history.values(name).unwrap_or_else(|| panic!("no column {name}"));
         values.map(|cell| cell.unwrap_or_else(|| panic!("an empty cell in {name}"))).collect()
@@ -86,15 +87,15 @@ impl Run {
     }
 }
 
-/// The folder of the scenarios that restarts are tested with, and of the files that they name.
+/// The folder of the scenarios for tests of restarts, with the files that they name.
 pub fn resume() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("resume")
 }
 
-/// The files of a folder whose names end with `.kind`, sorted by name; those of folders within it are not among them.
+/// The files directly in `folder` whose names end with `.kind`, sorted by name.
 ///
 /// # Panics
-/// Where there is no such folder.
+/// If there is no such folder.
 pub fn files_of_kind(folder: &Path, kind: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
     let paths = entries.map(|entry| entry.expect("an entry of a folder").path());
@@ -108,10 +109,10 @@ pub fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
 }
 
-/// Whether `found` lies within `tolerance` of `expected`, relative to `expected`.
+/// Asserts that `found` lies within `tolerance` of `expected`, relative to `expected`.
 ///
 /// # Panics
-/// Where it does not, saying both.
+/// If it does not.
 #[track_caller]
 pub fn assert_close(what: &str, found: f64, expected: f64, tolerance: f64) {
     let error = (found / expected - 1.0).abs();

@@ -1,5 +1,5 @@
-//! A run that is interrupted and goes on gives the bytes of one that was not: for everything that a scenario can hold,
-//! wherever it is interrupted, on any number of threads.
+//! An interrupted and resumed run gives the bytes of an uninterrupted one: for every key of a scenario, at any record, on any
+//! number of threads.
 
 mod scenarios;
 
@@ -24,7 +24,7 @@ fn options(threads: usize, resume: bool) -> RunOptions {
     RunOptions { threads, resume, checkpoint_every: CheckpointEvery::Never }
 }
 
-/// Runs until so many records were taken, and says how many that were.
+/// Runs until `records` records are taken; returns the run and the number of records.
 fn run_for(document: &Document, target: &Path, options: &RunOptions, records: usize) -> (Ran, usize) {
     let taken = AtomicUsize::new(0);
     let count = |progress| {
@@ -39,11 +39,12 @@ fn run_for(document: &Document, target: &Path, options: &RunOptions, records: us
     (ran, taken.into_inner())
 }
 
-/// Goes on with what an earlier run left.
+/// Resumes an earlier run.
 fn resumed(document: &Document, target: &Path) -> Result<Ran, RunError> {
     Case::of(document.clone())?.simulation().options(options(1, true)).run_to(target)
 }
 
+/// Runs or resumes to the end; returns the number of records.
 fn run_to_end(document: &Document, target: &Path, options: &RunOptions) -> usize {
     let (ran, records) = run_for(document, target, options, usize::MAX);
     assert!(ran.summary.finished && !ran.can_resume, "{:?}", ran.failure);
@@ -51,7 +52,7 @@ fn run_to_end(document: &Document, target: &Path, options: &RunOptions) -> usize
     records
 }
 
-/// The files that must not differ; the summary without the one number that may.
+/// The files that must not differ; the summary without its wall time.
 fn bytes(target: &Path) -> [(&'static str, Vec<u8>); 4] {
     let read = |name: &str| fs::read(target.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
     let summary = String::from_utf8(read(folder::SUMMARY)).unwrap();
@@ -71,7 +72,7 @@ fn assert_same(whole: &Path, resumed: &Path, of: &str) {
     }
 }
 
-/// Interrupts at the `records`-th record on so many threads, and goes on on others.
+/// Interrupts a run at record number `records` on the first number of threads, and resumes it on the second.
 fn interrupt(document: &Document, target: &Path, records: usize, threads: [usize; 2]) {
     let (ran, taken) = run_for(document, target, &options(threads[0], false), records);
     assert!(!ran.summary.finished && ran.can_resume && taken == records, "{taken} records of {records}");
@@ -80,13 +81,13 @@ fn interrupt(document: &Document, target: &Path, records: usize, threads: [usize
 }
 
 #[test]
-fn the_scenarios_hold_everything_that_a_scenario_can_hold() {
+fn the_scenarios_have_every_key_of_the_schema() {
     assert_eq!(missing(), [""; 0], "give tests/resume/ a scenario with it");
 }
 
-/// What a scenario is there for has to happen within its few records.
+/// The friction that this scenario is meant to test must occur within its few records.
 #[test]
-fn what_is_thrown_from_the_ground_rubs_on_it() {
+fn a_net_thrown_from_the_ground_slides_on_it() {
     let workbench = workbench();
     let document = read(&scenario("thrown_from_the_ground"), workbench.path());
     let (ran, _) = run_for(&document, &workbench.path().join("whole"), &options(1, false), usize::MAX);
@@ -94,14 +95,14 @@ fn what_is_thrown_from_the_ground_rubs_on_it() {
 }
 
 #[test]
-fn whatever_a_run_holds_it_goes_on_to_the_same_bytes() {
+fn every_scenario_resumes_to_the_same_bytes() {
     let workbench = workbench();
     let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
     for (name, text) in &scenarios() {
         let document = read(text, workbench.path());
         let records = run_to_end(&document, &whole, &options(1, false));
         if document.scenario.solve.run_time().is_none() {
-            // there is one record, and nothing to go on to
+            // an equilibrium has one record: there is nothing to resume
             run_to_end(&document, &resumed, &options(3, false));
             assert_same(&whole, &resumed, name);
             continue;
@@ -114,9 +115,9 @@ fn whatever_a_run_holds_it_goes_on_to_the_same_bytes() {
     }
 }
 
-/// Fine enough that the work is shared out; pulled everywhere from the start, so that every segment counts.
+/// Fine enough that threads share the work, and under pretension, so that every segment counts.
 #[test]
-fn a_large_net_goes_on_on_any_number_of_threads() {
+fn a_large_net_resumes_to_the_same_bytes_on_any_number_of_threads() {
     const NET: &str = r#"
 web.square = { side = "2 m", mesh = "0.02 m", segments_per_mesh = 1 }
 rope = { diameter = "3 mm", density = 1140, elastic_modulus = "5 GPa", pretension = "5 N" }
@@ -136,7 +137,7 @@ record.every = "20 us"
 }
 
 #[test]
-fn a_run_that_is_interrupted_at_every_record_comes_to_the_same_end() {
+fn a_run_interrupted_at_every_record_gives_the_same_bytes() {
     let workbench = workbench();
     let (whole, resumed) = (workbench.path().join("whole"), workbench.path().join("resumed"));
     let document = read(&scenario("space_web_everything_on_board"), workbench.path());
@@ -152,7 +153,7 @@ fn a_run_that_is_interrupted_at_every_record_comes_to_the_same_end() {
 }
 
 #[test]
-fn checkpoints_on_the_way_change_nothing() {
+fn checkpoints_during_a_run_change_no_bytes() {
     let workbench = workbench();
     let (whole, kept) = (workbench.path().join("whole"), workbench.path().join("kept"));
     let document = read(&scenario("traditional_web_no_two_tractors_alike"), workbench.path());
@@ -164,7 +165,7 @@ fn checkpoints_on_the_way_change_nothing() {
 }
 
 #[test]
-fn only_the_same_run_goes_on_and_what_differs_is_told() {
+fn a_run_with_other_inputs_is_not_resumed_and_the_difference_is_reported() {
     let workbench = workbench();
     let target = workbench.path().join("net");
     let text = scenario("graph_stowed_from_a_file_one_knot_held");
@@ -182,7 +183,7 @@ fn only_the_same_run_goes_on_and_what_differs_is_told() {
     let told = refused.unwrap_err().to_string();
     assert!(told.contains("nodes.csv has changed"), "{told}");
 
-    // and nothing was touched
+    // the refusals changed nothing
     assert!(bytes(&target) == before);
     assert!(!workbench.path().join("net.running").exists());
     fs::write(workbench.path().join("nodes.csv"), nodes).unwrap();
@@ -190,7 +191,7 @@ fn only_the_same_run_goes_on_and_what_differs_is_told() {
 }
 
 #[test]
-fn a_run_that_came_to_its_end_does_not_go_on() {
+fn a_finished_run_is_not_resumed() {
     let workbench = workbench();
     let target = workbench.path().join("net");
     let document = read(&scenario("square_net_with_a_drawstring"), workbench.path());

@@ -1,4 +1,4 @@
-//! The scenarios of tests/resume/, which together hold everything that a scenario can hold; small, and short.
+//! The small, short scenarios of tests/resume/. Together they have every key of the schema.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,33 +11,33 @@ use netcast::scenario::schema;
 use netcast::scenario::tree::{Tree, Value};
 use serde_json::{Map, Value as Json};
 
-/// What each scenario is called, and its text; sorted by name.
+/// Name and text of each scenario, sorted by name.
 pub fn scenarios() -> Vec<(String, String)> {
     let name = |path: &PathBuf| path.file_stem().unwrap().to_string_lossy().into_owned();
     files_of_kind(&resume(), "toml").iter().map(|path| (name(path), fs::read_to_string(path).unwrap())).collect()
 }
 
-/// The text of the scenario that is called so.
+/// The text of the scenario called `name`.
 pub fn scenario(name: &str) -> String {
     let found = scenarios().into_iter().find(|(known, _)| known == name);
     found.unwrap_or_else(|| panic!("tests/resume/{name}.toml is missing")).1
 }
 
-/// Puts the files that scenarios name into `folder`.
+/// Copies the files that the scenarios name to `folder`.
 pub fn write_files(folder: &Path) {
     for path in files_of_kind(&resume(), "csv") {
         fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
     }
 }
 
-/// Reads a scenario, its files in `folder`.
+/// Reads a scenario whose files are in `folder`.
 pub fn read(text: &str, folder: &Path) -> Document {
     let source = Source { name: "scenario.toml".into(), text: text.into() };
     Document::parse(source, folder, &[]).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// Every key, variant and choice that the schema knows and no scenario has, and every optional section that none does
-/// without. What is added to the schema is missing here until a scenario has it.
+/// Every key, variant and choice of the schema that no scenario has, and every optional section that all scenarios have. A
+/// new key of the schema is missing here until a scenario has it.
 pub fn missing() -> Vec<String> {
     let mut missing = BTreeSet::new();
     let trees: Vec<Tree> =
@@ -59,7 +59,7 @@ fn child<'v>(value: &'v Value, key: &str) -> Option<&'v Value> {
     value.as_table()?.0.iter().find(|entry| entry.key == key).map(|entry| &entry.node.value)
 }
 
-/// Looks for what `schema` allows at `path` among the values that scenarios have there.
+/// Adds to `missing` each key and choice that `schema` allows at `path` and none of `values` has.
 fn walk(schema: &Map<String, Json>, path: &str, values: &[&Value], missing: &mut BTreeSet<String>) {
     let mut below = |step: String, schema: &Json, values: Vec<&Value>| {
         let path = format!("{path}{step}");
@@ -90,7 +90,7 @@ fn walk(schema: &Map<String, Json>, path: &str, values: &[&Value], missing: &mut
             below(format!(" = {choice}"), &Json::Null, equal(values, &Json::from(choice)));
         }
     }
-    // keys of the user's own, elements of a list
+    // keys that the user chooses, and elements of a list
     if let Some(content) = schema.get("additionalProperties").filter(|content| content.is_object()) {
         let all = values.iter().filter_map(|value| value.as_table());
         below(".NAME".into(), content, all.flat_map(|table| &table.0).map(|entry| &entry.node.value).collect());
@@ -104,7 +104,7 @@ fn walk(schema: &Map<String, Json>, path: &str, values: &[&Value], missing: &mut
     }
 }
 
-/// The values that are this choice.
+/// The values that equal this choice.
 fn equal<'v>(values: &[&'v Value], choice: &Json) -> Vec<&'v Value> {
     let is = |value: &Value| match value {
         Value::String(text) => *choice == text[..],
