@@ -179,7 +179,7 @@ mod tests {
                 classes: classes.iter().map(class).collect(),
                 ..Landmarks::default()
             },
-            &Channel::ALL.into_iter().filter(|channel| *channel != Channel::Custom).collect::<Vec<_>>(),
+            &Channel::ALL.iter().copied().filter(|channel| *channel != Channel::Custom).collect::<Vec<_>>(),
         )
     }
 
