@@ -356,54 +356,51 @@ fn the_terminal_speed_balances_weight_and_drag() {
 }
 
 #[test]
-fn mistakes_are_reported_at_their_place() {
-    let told = |more: &str, csv: &str, expected: &str| assert_eq!(wrong(more, csv), [expected], "{more}");
+fn mistakes_about_the_air_are_reported_at_their_place() {
+    let told = |more: &str, expected: &str| assert_eq!(wrong(more, ""), [expected], "{more}");
     told(
         "[environment.wind]\nspeed = 3",
-        "",
         "environment.wind: a wind acts by drag, and there is no air (add [environment.air])",
     );
     told(
         "environment.air = { altitude = 100, density = 1000, viscosity = 0.001 }",
-        "",
         "environment.air.density: expected only one of `altitude` and `density`",
     );
     told(
         "environment.air.density = 1000",
-        "",
         "environment.air.density: missing key `viscosity`, as the density of the medium is given (water of 20 deg C has \"1 mPa \
          s\", air of 15 deg C \"0.0179 mPa s\")",
     );
     told(
         "environment.air.viscosity = \"1.8e-5 Pa s\"",
-        "",
         "environment.air.viscosity: the viscosity of the standard atmosphere follows from its altitude (leave it out, or give \
          `environment.air.density` too)",
     );
     told(
         "environment.air = { density = 1000, viscosity = \"1 Pa\" }",
-        "",
         "environment.air.viscosity: expected a viscosity greater than 0 such as \"0.018 mPa s\", found \"1 Pa\", which is a \
          pressure or elastic modulus",
     );
     told(
         "environment.air.altitude = \"12 km\"",
-        "",
         "environment.air.altitude: expected a length of at least -1000 and at most 11000 such as \"2.5 m\", found \"12 km\"",
     );
     told(
         "environment.air.solidity = 0.8",
-        "",
         "environment.air.solidity: expected a number of at least 0 and at most 0.7 such as 0.5, found 0.8 (or write \"web\")",
     );
     told(
         "environment.air.solidity = \"net\"",
-        "",
         "environment.air.solidity: expected a number of at least 0 and at most 0.7 such as 0.5, found \"net\": it does not start \
          with a number (or write \"web\")",
     );
+}
+
+#[test]
+fn mistakes_about_the_wind_are_reported_at_their_place() {
     let blown = |wind: &str, csv: &str, expected: &str| {
-        told(&format!("[environment.air]\n[environment.wind]\n{wind}"), csv, expected);
+        let more = format!("[environment.air]\n[environment.wind]\n{wind}");
+        assert_eq!(wrong(&more, csv), [expected], "{more}");
     };
     blown("", "", "environment.wind.speed: missing key `speed` (`speed` is a speed of at least 0 such as \"50 m/s\")");
     blown(
