@@ -328,7 +328,8 @@ pub struct StowedNode {
 /// # Errors
 /// Where the file cannot be written.
 pub fn write_stow(path: &std::path::Path, nodes: impl IntoIterator<Item = StowedNode>) -> Result<(), csv::Error> {
-    let mut file = csv::Writer::from_path(path)?;
+    // nothing of the user's is written over
+    let mut file = csv::Writer::from_writer(std::fs::File::create_new(path)?);
     file.write_record(["id", "x", "y", "z"])?;
     for StowedNode { id, position_m: [x, y, z] } in nodes {
         file.write_record([id, x.to_string(), y.to_string(), z.to_string()])?;

@@ -151,6 +151,17 @@ fn a_stow_file_does_not_depend_on_the_launch() {
     }
 }
 
+/// `--write` with the scenario's own name once destroyed it.
+#[test]
+fn a_stow_file_is_not_written_over_another_file() {
+    let workbench = Workbench::with_net();
+    let before = workbench.read("net.toml");
+    let ended = workbench.netcast(&["stow", "net.toml", "--write", "net.toml"]);
+    assert_eq!(ended.status, 2);
+    assert!(ended.stderr.contains("cannot write net.toml"), "{}", ended.stderr);
+    assert_eq!(workbench.read("net.toml"), before);
+}
+
 #[test]
 fn a_stow_file_that_cannot_be_written_is_named() {
     let ended = Workbench::with_net().netcast(&["stow", "net.toml", "--write", "no/such/folder.csv"]);
