@@ -1,6 +1,6 @@
-//! Tells the crate the commit it is built from as `NETCAST_REVISION`, where it is built in its repository.
+//! Sets `NETCAST_REVISION` to the commit from which the crate is built, if it is built in its repository.
 //!
-//! The files of git are read directly: neither git itself nor a repository is needed to build.
+//! It reads the files of git directly: the build needs neither the git program nor a repository.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ fn main() {
     }
 }
 
-/// The repository's `.git`; in a linked worktree that is a file which says where the folder is.
+/// The git folder of the repository. In a linked worktree `.git` is a file with the path of that folder.
 fn git_folder() -> Option<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let git = root.join(".git");
@@ -23,13 +23,13 @@ fn git_folder() -> Option<PathBuf> {
     Some(root.join(pointer.strip_prefix("gitdir:")?.trim()))
 }
 
-/// The commit that `HEAD` stands for.
+/// The commit of `HEAD`.
 fn head(git: &Path) -> Option<String> {
     let head = read(&git.join("HEAD"))?;
-    // every commit and checkout is logged here, also one that leaves HEAD on its branch
+    // a commit on the branch leaves HEAD unchanged, but git appends it to this log: read it to rebuild
     read(&git.join("logs/HEAD"));
     let Some(branch) = head.strip_prefix("ref: ") else { return Some(head) };
-    // the branches of a worktree are kept with the repository it belongs to
+    // a linked worktree keeps its branches in the folder of its repository
     let common = match fs::read_to_string(git.join("commondir")) {
         Ok(path) => git.join(path.trim()),
         Err(_) => git.to_path_buf(),
@@ -37,14 +37,14 @@ fn head(git: &Path) -> Option<String> {
     read(&common.join(branch)).or_else(|| packed(&common, branch))
 }
 
-/// The commit of a branch that git has packed away.
+/// The commit of a branch in the file of packed references.
 fn packed(git: &Path, branch: &str) -> Option<String> {
     let list = read(&git.join("packed-refs"))?;
     let line = list.lines().find(|line| line.split_once(' ').is_some_and(|(_, name)| name == branch))?;
     line.split_once(' ').map(|(commit, _)| commit.to_owned())
 }
 
-/// A file's text; a change to the file builds again.
+/// Text of a file; cargo builds again when the file changes.
 fn read(path: &Path) -> Option<String> {
     let text = fs::read_to_string(path).ok()?;
     println!("cargo:rerun-if-changed={}", path.display());

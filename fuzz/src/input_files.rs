@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use netcast_scenario::interval::{Any, Positive};
 use netcast_model::Model;
+use netcast_scenario::interval::{Any, Positive};
 use netcast_scenario::path::Path as KeyPath;
 use netcast_scenario::quantity::{Angle, Length, Number, Pressure, Quantity, Rate};
 use netcast_scenario::tree::{Tree, Value};

@@ -100,7 +100,8 @@ fn the_three_webs_agree_with_the_paper() {
         let polygon = summary.opening.tractor_area_max_m2.expect("it has tractors");
         require(polygon >= 28.0, format!("{web}: the tractors span {polygon} m^2"));
         let (fastest, _) = speed(summary, "B");
-        require((70.0..=150.0).contains(&fastest), format!("{web}: B reaches {fastest} m/s"));
+        // the crack of a whip is chaotic: docs/validation/paper.md has 138 to 185 m/s for the traditional web
+        require((70.0..=190.0).contains(&fastest), format!("{web}: B reaches {fastest} m/s"));
         for other in ["A", "C", "D"] {
             let (slower, _) = speed(summary, other);
             require(slower < fastest, format!("{web}: {other} is faster than B, {slower} to {fastest} m/s"));

@@ -6,5 +6,7 @@ mod support;
 mod compare;
 mod diverging_run;
 mod fuzz_corpus;
+mod records;
 mod resume;
 mod truncated;
+mod verdicts;

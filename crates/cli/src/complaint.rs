@@ -4,7 +4,7 @@ use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use netcast::results::ResultError;
+use netcast::results::{ResultError, visible};
 use netcast::scenario::{Diagnostic, Diagnostics, Place};
 use netcast::{Failure, RunError};
 
@@ -45,7 +45,12 @@ impl Complaint {
     /// Prints the error on standard error.
     pub fn show(&self) {
         // nobody reads a closed standard error
-        let _ = std::io::stderr().write_all(self.text().as_bytes());
+        let text = match self {
+            // what is rendered has colours, and the renderer has dealt with the user's text
+            Complaint::Input(_) => self.text(),
+            _ => visible(&self.text()),
+        };
+        let _ = std::io::stderr().write_all(text.as_bytes());
     }
 
     /// The text of the error, with a line break at its end.

@@ -4,6 +4,7 @@ use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 
 use netcast::facts::{PackingFacts, StartFacts};
+use netcast::results::visible;
 
 /// Prints a line for the user, as `println!` does. A closed pipe, such as after `head`, is not an error.
 macro_rules! say {
@@ -11,9 +12,9 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// Prints a line to standard output. A closed pipe is ignored; any other failure ends the program.
+/// Prints a line to standard output, with symbols for control characters in it. A closed pipe is ignored; any other failure ends the program.
 pub fn print_line(line: Arguments) {
-    if let Err(error) = writeln!(std::io::stdout(), "{line}")
+    if let Err(error) = writeln!(std::io::stdout(), "{}", visible(&line.to_string()))
         && error.kind() != ErrorKind::BrokenPipe
     {
         eprintln!("error: cannot write to standard output: {error}");

@@ -10,7 +10,7 @@ use crate::forces::gravity;
 use crate::forces::law::Axial;
 use crate::rope_state::RopeState;
 use crate::state::State;
-use crate::system::System;
+use crate::system::{Segment, System};
 
 /// The energy balance at one time, J, one value for each channel. Stored energy is computed from the state. Lost energy is
 /// integrated step by step from its own power or work (trapezoidal rule). No channel is found by difference.
@@ -91,22 +91,43 @@ impl Ledger {
     }
 }
 
+/// A strain that nobody can measure: energy below that of ropes strained so much is not judged.
+const LEAST_STRAIN: f64 = 1e-9;
+/// How many times its last bit the largest term of the balance may be rounded by, on the way through a run.
+const ROUNDING: f64 = 1e6;
+/// The share of all energy from which that of the web is judged by itself.
+const WEB_SHARE: f64 = 1e-3;
+
+/// The energy, J, below which that of a system is noise: its ropes at the least strain.
+pub(crate) fn least_energy(system: &System) -> f64 {
+    let of_one = |s: &Segment| {
+        let stretch = LEAST_STRAIN * s.rest_length;
+        0.5 * system.law(s).largest_stiffness(&s.into()) * stretch * stretch
+    };
+    system.segments().iter().map(of_one).sum()
+}
+
 /// How well the balance closes over a run.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
     start: Ledger,
+    /// Energy below which nothing is judged, J.
+    least: f64,
     largest_residual: f64,
+    largest_term: f64,
     largest_mechanical: f64,
     lowest_potential: f64,
     largest_web: f64,
 }
 
 impl Balance {
-    /// A balance that starts with `start`.
-    pub fn new(start: Ledger) -> Balance {
+    /// A balance that starts with `start`; energy below `least`, J, is noise.
+    pub fn new(start: Ledger, least: f64) -> Balance {
         let mut balance = Balance {
             start,
+            least,
             largest_residual: 0.0,
+            largest_term: 0.0,
             largest_mechanical: f64::MIN,
             lowest_potential: f64::MAX,
             largest_web: 0.0,
@@ -118,6 +139,7 @@ impl Balance {
     /// Takes a later ledger into account.
     pub fn add(&mut self, ledger: &Ledger) {
         self.largest_residual = self.largest_residual.max(ledger.residual(&self.start).abs());
+        self.largest_term = Channel::ALL.iter().map(|&channel| ledger[channel].abs()).fold(self.largest_term, f64::max);
         self.largest_mechanical = self.largest_mechanical.max(ledger.stored());
         self.lowest_potential = self.lowest_potential.min(ledger.total(Channel::is_potential));
         self.largest_web = self.largest_web.max(ledger.kinetic_web + ledger[Channel::Elastic]);
@@ -140,12 +162,19 @@ impl Balance {
 
     /// |residual| over the largest total energy of the run; weight and loads count from the lowest that they reached.
     pub fn closure(&self) -> f64 {
-        ratio(self.largest_residual, self.largest_mechanical - self.lowest_potential)
+        ratio(self.largest_residual, self.total())
     }
 
-    /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
+    /// |residual| over the largest elastic and kinetic energy of everything but the tractors; a web that never has a
+    /// thousandth of all energy is judged as if it had.
     pub fn closure_web(&self) -> f64 {
-        ratio(self.largest_residual, self.largest_web)
+        ratio(self.largest_residual, self.largest_web.max(WEB_SHARE * self.total()))
+    }
+
+    /// The energy that the residual is judged by, J: no less than what rounding makes of the largest term.
+    fn total(&self) -> f64 {
+        let noise = ROUNDING * f64::EPSILON * self.largest_term;
+        (self.largest_mechanical - self.lowest_potential).max(self.least).max(noise)
     }
 }
 

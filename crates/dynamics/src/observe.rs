@@ -8,8 +8,16 @@ use crate::snapshot::Snapshot;
 pub trait Observer: Send {
     /// After every step.
     fn step(&mut self, live: &Live);
-    /// At every record time, the start and the end among them.
+    /// At every record, the start and the end among them.
     fn record(&mut self, frame: &Frame);
+    /// At every check, the start and the end among them. Checks do not depend on what is recorded.
+    fn check(&mut self, _: &Frame) {}
+    /// Asked after every step: whether [`Observer::moment`] should see the net as it now lies.
+    fn wants_moment(&mut self) -> bool {
+        false
+    }
+    /// The whole net at a step that was wanted.
+    fn moment(&mut self, _: &Frame) {}
     /// Limits of the run, asked at its start.
     fn limits(&self) -> Limits {
         Limits::NONE
@@ -19,11 +27,11 @@ pub trait Observer: Send {
     fn watches(&self) -> Vec<&'static str> {
         Vec::new()
     }
-    /// Asked at every record time but the last: whether to stop here.
+    /// Asked at every record but the last: whether to stop here.
     fn interrupted(&self) -> bool {
         false
     }
-    /// Asked at every record time but the last: whether [`Observer::snapshot`] should be called now.
+    /// Asked at every record but the last: whether [`Observer::snapshot`] should be called now.
     fn wants_snapshot(&mut self) -> bool {
         false
     }

@@ -2,7 +2,7 @@
 
 use crate::channel::Channel;
 use crate::effects::Launching;
-use crate::energy::{Balance, Ledger, Losses, mass_damping_power};
+use crate::energy::{Balance, Ledger, Losses, least_energy, mass_damping_power};
 use crate::forces::breaking::Break;
 pub use crate::frame::{Frame, Live};
 use crate::limits::{Excess, Limits};
@@ -106,7 +106,7 @@ pub fn simulate(
     net.watch(&observer.watches());
     let record = Record::new(system);
     let (losses, breaks) = (Losses::default(), Vec::new());
-    let mut run = Run { net, schedule, limits: observer.limits(), step: 0, losses, breaks, record };
+    let mut run = Run { net, schedule, limits: observer.limits(), step: 0, wanted: false, losses, breaks, record };
     run.net.team().lead(|| match run.show(observer) {
         Some(outcome) => outcome,
         None => run.run_to_end(observer),
@@ -133,7 +133,7 @@ pub fn resume(
     net.forces();
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
     let (step, losses, breaks) = (motion.step, *losses, breaks.clone());
-    let mut run = Run { net, schedule, limits: observer.limits(), step, losses, breaks, record };
+    let mut run = Run { net, schedule, limits: observer.limits(), step, wanted: false, losses, breaks, record };
     run.net.team().lead(|| run.run_to_end(observer))
 }
 
@@ -144,6 +144,8 @@ struct Run<'a> {
     limits: Limits,
     /// The step that is next.
     step: u64,
+    /// Whether the observer wants to see the net there.
+    wanted: bool,
     losses: Losses,
     breaks: Vec<Break>,
     record: Record,
@@ -155,7 +157,7 @@ impl Run<'_> {
         loop {
             let sums = self.net.advance();
             self.add_step(sums, observer);
-            while !self.schedule.records(self.step) {
+            while !self.is_due(observer) {
                 let sums = self.net.step();
                 self.add_forces(&sums);
                 if !sums.work[Channel::RopeDamping].is_finite() {
@@ -169,13 +171,21 @@ impl Run<'_> {
         }
     }
 
+    /// Whether the net is shown at the step that is next.
+    fn is_due(&mut self, observer: &mut dyn Observer) -> bool {
+        self.wanted = observer.wants_moment();
+        self.wanted || self.schedule.records(self.step) || self.schedule.checks(self.step)
+    }
+
     /// Shows the net to the observer between its forces and its advance. Where the run ends here, says how.
     fn show(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
         self.add_forces(&sums);
+        let (record, check) = (self.schedule.records(step), self.schedule.checks(step));
+        let due = Due { time, step, record, check, moment: self.wanted };
         let measured = sums.work[Channel::RopeDamping].is_finite()
-            && self.record.take(&self.net, time, step, &self.losses, &self.limits, observer);
+            && self.record.take(&self.net, due, &self.losses, &self.limits, observer);
         if !measured {
             return Some(self.outcome(Some(not_finite(&self.net, time, step))));
         }
@@ -183,6 +193,9 @@ impl Run<'_> {
         let stopped = self.record.diverged(time, step).or(exceeded);
         if stopped.is_some() || step == self.schedule.count {
             return Some(self.outcome(stopped));
+        }
+        if !due.record {
+            return None;
         }
         let interrupted = observer.interrupted();
         if observer.wants_snapshot() || interrupted {
@@ -221,7 +234,7 @@ impl Run<'_> {
 
     /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
     fn snapshot(&self) -> Snapshot {
-        let Run { net, schedule: _, limits: _, step: _, losses, breaks, record } = self;
+        let Run { net, schedule: _, limits: _, step: _, wanted: _, losses, breaks, record } = self;
         let Record { state: _, tension: _, ledger, balance: _, exceeded } = record;
         let (motion, balance, breaks) = (net.motion(), record.balance(), breaks.clone());
         Snapshot { motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded, breaks }
@@ -239,7 +252,18 @@ impl Run<'_> {
     }
 }
 
-/// The net at a record time, in buffers that are used again.
+/// A step at which the net is shown, and what for.
+#[derive(Clone, Copy)]
+struct Due {
+    /// Time, s, and number of the step.
+    time: f64,
+    step: u64,
+    record: bool,
+    check: bool,
+    moment: bool,
+}
+
+/// The net at a step that is shown, in buffers that are used again.
 struct Record {
     state: State,
     tension: Vec<f64>,
@@ -260,15 +284,7 @@ impl Record {
     }
 
     /// Shows the net to the observer, or returns false where its energy is not finite.
-    fn take(
-        &mut self,
-        net: &Stepper,
-        time: f64,
-        step: u64,
-        losses: &Losses,
-        limits: &Limits,
-        observer: &mut dyn Observer,
-    ) -> bool {
+    fn take(&mut self, net: &Stepper, due: Due, losses: &Losses, limits: &Limits, observer: &mut dyn Observer) -> bool {
         net.state(&mut self.state);
         for (segment, tension) in self.tension.iter_mut().enumerate() {
             *tension = if net.is_gone(segment) { f64::NAN } else { net.tension(segment) };
@@ -278,15 +294,26 @@ impl Record {
         if !ledger.sum().is_finite() {
             return false;
         }
-        let balance = self.balance.get_or_insert_with(|| Balance::new(ledger));
-        balance.add(&ledger);
+        let balance = self.balance.get_or_insert_with(|| Balance::new(ledger, least_energy(net.system())));
+        if due.check {
+            balance.add(&ledger);
+        }
         self.ledger = ledger;
         let State { position, velocity, rotation } = &self.state;
         let tension = &self.tension;
         let residual = ledger.residual(balance.start());
+        let Due { time, step, .. } = due;
         let frame = Frame { time, step, position, velocity, rotation, tension, ledger, residual, net };
-        observer.record(&frame);
-        self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
+        if due.check {
+            observer.check(&frame);
+            self.exceeded = self.exceeded.or_else(|| limits.exceeded(net.system(), net.dt(), balance, &frame));
+        }
+        if due.moment {
+            observer.moment(&frame);
+        }
+        if due.record {
+            observer.record(&frame);
+        }
         true
     }
 
@@ -297,7 +324,7 @@ impl Record {
     }
 
     fn balance(&self) -> Balance {
-        self.balance.unwrap_or_else(|| Balance::new(self.ledger))
+        self.balance.unwrap_or_else(|| Balance::new(self.ledger, 0.0))
     }
 }
 

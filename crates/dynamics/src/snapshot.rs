@@ -15,7 +15,7 @@ use crate::schedule::Schedule;
 use crate::system::System;
 use crate::time::motion::Motion;
 
-/// A run at a record time. It goes on by [`resume`](crate::simulate::resume).
+/// A run at a record. It goes on by [`resume`](crate::simulate::resume).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     pub(crate) motion: Motion,

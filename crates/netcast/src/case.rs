@@ -10,6 +10,7 @@ use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::SystemError;
 use netcast_model::Model;
 use netcast_results::Landmarks;
+use netcast_scenario::quantity::Number;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Source, resolved_toml};
 
 use crate::inputs::Inputs;
@@ -74,6 +75,21 @@ impl Case {
         let (schedule, landmarks) = (schedule(&model), landmarks(&model));
         let (document, inputs) = (document.clone(), inputs.clone());
         Ok(Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks })))
+    }
+
+    /// The same case with steps of this share of the stable one.
+    pub(crate) fn with_step_fraction(&self, step_fraction: f64) -> Self {
+        let Prepared { document, model, inputs, landmarks, .. } = &*self.0;
+        let mut model = model.clone();
+        model.scenario.solve.step_fraction = Some(Number::constant(step_fraction));
+        let schedule = schedule(&model);
+        let (document, inputs, landmarks) = (document.clone(), inputs.clone(), landmarks.clone());
+        Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks }))
+    }
+
+    /// Whether netcast chose the step, and not the scenario.
+    pub(crate) fn has_chosen_step(&self) -> bool {
+        self.0.document.scenario.solve.step_fraction.is_none()
     }
 
     /// The scenario, with everything written out that was chosen on the way.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use glam::{DQuat, DVec3};
-use netcast_results::{Fields, History, Machine, Manifest, ResultFolder, Series, Summary, require_room};
+use netcast_results::{Fields, History, Machine, Manifest, ResultFolder, SecondRun, Series, Summary, require_room};
 
 use crate::case::Case;
 use crate::error::RunError;
@@ -59,18 +59,27 @@ impl Simulation<'_> {
     /// with a [`Failure`].
     pub fn run(self) -> Result<Run, RunError> {
         let clock = Instant::now();
-        let Simulation { case, options, watchers, mut progress, interrupted } = self;
+        let Simulation { case, options, mut watchers, mut progress, interrupted } = self;
         let mut manifest = Manifest::new(case.inputs().hash(), Machine::this(), options.threads);
-        let start = Start::of(case, options.threads, &mut *progress, &*interrupted);
-        let end_s = start.schedule().time(start.schedule().count);
-        let mut tell = |time_s: f64| progress(Progress::Running { time_s, end_s });
-        let recorder = start.recorder(&mut tell, &*interrupted)?.keep_in_memory();
-        let mut ended = start.simulate(recorder, watchers, None, options.threads)?;
-        manifest.wall_time_s = clock.elapsed().as_secs_f64();
-        let series = ended.series.take().expect("it was kept in memory");
-        let (failure, warnings) = ended.verdict();
-        let summary = ended.summary(manifest.wall_time_s, warnings);
-        Ok(Run { summary, failure, series, manifest, case: case.clone() })
+        let (mut case, mut second) = (case.clone(), None::<SecondRun>);
+        loop {
+            let start = Start::of(&case, options.threads, &mut *progress, &*interrupted);
+            let end_s = start.schedule().time(start.schedule().count);
+            let mut tell = |time_s: f64| progress(Progress::Running { time_s, end_s });
+            let recorder = start.recorder(&mut tell, &*interrupted)?.keep_in_memory();
+            let mut ended = start.simulate(recorder, &mut watchers, None, options.threads)?;
+            if let Some(again) = ended.second_run(&case, second.is_none()) {
+                drop(ended);
+                case = case.with_step_fraction(again.step_fraction);
+                second = Some(again);
+                continue;
+            }
+            manifest.wall_time_s = clock.elapsed().as_secs_f64();
+            let series = ended.series.take().expect("it was kept in memory");
+            let (failure, warnings) = ended.verdict(second.as_ref());
+            let summary = ended.summary(manifest.wall_time_s, warnings);
+            return Ok(Run { summary, failure, series, manifest, case });
+        }
     }
 }
 

@@ -5,14 +5,14 @@ use std::time::{Duration, Instant};
 
 use netcast_dynamics::simulate::StepError;
 use netcast_results::{
-    Checkpoint, Checkpoints, Machine, Manifest, ResultError, ResultFolder, Summary, folder, require_room,
+    Checkpoint, Checkpoints, Machine, Manifest, ResultError, ResultFolder, SecondRun, Summary, folder, require_room,
 };
 
 use crate::case::Case;
 use crate::error::RunError;
-use crate::progress::Progress;
+use crate::progress::{Interrupted, Progress, Tell};
 use crate::resume::left_behind;
-use crate::simulate::{Ended, Simulation, Start, fields_every};
+use crate::simulate::{Ended, RunOptions, Simulation, Start, Watchers, fields_every};
 use crate::verdict::Failure;
 
 /// A run that was carried out into a folder, to its end or not.
@@ -38,23 +38,69 @@ impl Simulation<'_> {
     /// is a [`Ran`] with a [`Failure`].
     pub fn run_to(self, target: impl AsRef<Path>) -> Result<Ran, RunError> {
         let clock = Instant::now();
-        let Simulation { case, options, watchers, mut progress, interrupted } = self;
+        let Simulation { case, options, mut watchers, mut progress, interrupted } = self;
         let input_hash = case.inputs().hash();
         require_room(target.as_ref(), written_bytes(case))?;
-        let (mut folder, checkpoint) = if options.resume {
+        let (folder, mut checkpoint) = if options.resume {
             left_behind(target.as_ref(), case.inputs(), &input_hash)?
         } else {
             (ResultFolder::running(target.as_ref())?, None)
         };
-        let mut manifest = Manifest::new(input_hash.clone(), Machine::this(), options.threads);
-        begin(folder.path(), case, &manifest)?;
+        let manifest = Manifest::new(input_hash.clone(), Machine::this(), options.threads);
+        let wall_time_before = checkpoint.as_ref().map_or(Duration::ZERO, Checkpoint::wall_time);
+        let mut second = checkpoint.as_ref().and_then(|checkpoint| checkpoint.second_run.clone());
+        let again = |second: &SecondRun| case.with_step_fraction(second.step_fraction);
+        let mut case_now = second.as_ref().map_or_else(|| case.clone(), again);
+        let mut attempt = Attempt { folder, manifest, options: &options, wall_time_before, clock };
+        loop {
+            let ended =
+                attempt.carry_out(&case_now, &second, checkpoint.take(), &mut watchers, &mut *progress, &*interrupted);
+            let ended = ended?;
+            let Some(next) = ended.second_run(case, second.is_none()) else {
+                return attempt.end(ended, second.as_ref());
+            };
+            drop(ended);
+            // what follows is no continuation of what was there
+            attempt.folder.forget_checkpoint()?;
+            case_now = again(&next);
+            second = Some(next);
+        }
+    }
+}
 
-        let start = Start::of(case, options.threads, &mut *progress, &*interrupted);
+/// A run into a folder, at one step.
+struct Attempt<'o> {
+    folder: ResultFolder,
+    manifest: Manifest,
+    options: &'o RunOptions,
+    wall_time_before: Duration,
+    clock: Instant,
+}
+
+impl Attempt<'_> {
+    /// Runs `case` to its end, from `checkpoint` where there is one.
+    fn carry_out<'c>(
+        &mut self,
+        case: &'c Case,
+        second: &Option<SecondRun>,
+        checkpoint: Option<Checkpoint>,
+        watchers: &mut Watchers,
+        progress: &mut Tell,
+        interrupted: &Interrupted,
+    ) -> Result<Ended<'c>, RunError> {
+        let Self { folder, manifest, options, .. } = self;
+        begin(folder.path(), case, manifest)?;
+        let start = Start::of(case, options.threads, progress, interrupted);
         let end_s = start.schedule().time(start.schedule().count);
         let mut tell = |time_s: f64| progress(Progress::Running { time_s, end_s });
-        let recorder = start.recorder(&mut tell, &*interrupted)?;
-        let wall_time_before = checkpoint.as_ref().map_or(Duration::ZERO, Checkpoint::wall_time);
-        let checkpoints = Checkpoints { every: options.checkpoint_every, input_hash, wall_time_before, clock };
+        let recorder = start.recorder(&mut tell, interrupted)?;
+        let checkpoints = Checkpoints {
+            every: options.checkpoint_every,
+            input_hash: manifest.input_hash.clone(),
+            wall_time_before: self.wall_time_before,
+            clock: self.clock,
+            second_run: second.clone(),
+        };
         let recorder = match &checkpoint {
             None => recorder.keep_in(folder.path(), checkpoints)?,
             Some(checkpoint) => {
@@ -63,22 +109,33 @@ impl Simulation<'_> {
                 recorder.go_on_in(folder.path(), checkpoints, checkpoint)?
             }
         };
-
         // from here on there is something to lose
         folder.keep();
-        let kept = folder.path().to_path_buf();
         let ended = start.simulate(recorder, watchers, checkpoint.as_ref(), options.threads);
-        let ran = ended.map_err(RunError::from).and_then(|ended| {
-            manifest.wall_time_s = (wall_time_before + clock.elapsed()).as_secs_f64();
-            publish(ended, folder, &manifest)
-        });
+        ended.map_err(|error| self.cut_off(error.into()))
+    }
+
+    /// Writes what the run comes to and puts its folder in its place.
+    fn end(mut self, ended: Ended, second: Option<&SecondRun>) -> Result<Ran, RunError> {
+        self.manifest.wall_time_s = (self.wall_time_before + self.clock.elapsed()).as_secs_f64();
+        let kept = self.folder.path().to_path_buf();
+        let ran = publish(ended, self.folder, &self.manifest, second);
         ran.map_err(|source| RunError::CutOff { source: Box::new(source), folder: kept })
+    }
+
+    fn cut_off(&self, source: RunError) -> RunError {
+        RunError::CutOff { source: Box::new(source), folder: self.folder.path().to_path_buf() }
     }
 }
 
 /// Writes what the run comes to and puts its folder in its place.
-fn publish(ended: Ended, folder: ResultFolder, manifest: &Manifest) -> Result<Ran, RunError> {
-    let (failure, warnings) = ended.verdict();
+fn publish(
+    ended: Ended,
+    folder: ResultFolder,
+    manifest: &Manifest,
+    second: Option<&SecondRun>,
+) -> Result<Ran, RunError> {
+    let (failure, warnings) = ended.verdict(second);
     // a run that was interrupted can go on; any other ended, or would end in the same way again
     let can_resume = matches!(ended.outcome.stopped, Some(StepError::Interrupted { .. }));
     if !can_resume {
@@ -110,7 +167,7 @@ pub(crate) fn written_bytes(case: &Case) -> f64 {
     let (model, schedule) = (case.model(), case.schedule());
     let nodes = model.system.mass().len() as f64;
     let cells = (model.system.segments().len() + model.system.membranes().len()) as f64;
-    let frames = schedule.count as f64 / (schedule.steps_per_record * fields_every(model)) as f64 + 1.0;
+    let frames = schedule.record_count() as f64 / fields_every(model) as f64 + 1.0;
     let bodies = model.system.bodies().len() as f64;
     2.0 * frames * (1.0 + 6.0 * nodes + cells + 4.0 * bodies) * size_of::<f64>() as f64
 }

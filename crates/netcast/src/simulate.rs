@@ -81,7 +81,8 @@ impl<'s> Simulation<'s> {
         self
     }
 
-    /// Shows every step and every record to `observer` too. What it is held to, the scenario says; the observer's
+    /// Shows every step and every record to `observer` too. A case whose step netcast chose is run again at a smaller one
+    /// where the first misses its energy tolerance; the observer then sees a second run from its start. What it is held to, the scenario says; the observer's
     /// [`limits`](Observer::limits) are not asked.
     pub fn observe(mut self, observer: &'s mut dyn Observer) -> Self {
         self.watchers.observer = Some(observer);
@@ -155,7 +156,7 @@ impl<'c> Start<'c> {
     pub fn simulate(
         self,
         recorder: Recorder,
-        watchers: Watchers,
+        watchers: &mut Watchers,
         checkpoint: Option<&Checkpoint>,
         threads: usize,
     ) -> Result<Ended<'c>, ResultError> {
@@ -217,21 +218,23 @@ fn limits(solve: &Solve) -> Limits {
 }
 
 /// The recorder, and who watches beside it.
-struct Watched<'r, 's> {
+struct Watched<'r, 'w, 's> {
     recorder: Recorder<'r>,
-    watchers: Watchers<'s>,
+    watchers: &'w mut Watchers<'s>,
     is_stopped: bool,
     /// Who asked for a snapshot: the recorder, the observer.
     wanted: [bool; 2],
+    /// Who asked for the net at the next step: the recorder, the observer.
+    wants_a_moment: [bool; 2],
 }
 
-impl<'r, 's> Watched<'r, 's> {
-    fn new(recorder: Recorder<'r>, watchers: Watchers<'s>) -> Self {
-        Self { recorder, watchers, is_stopped: false, wanted: [false; 2] }
+impl<'r, 'w, 's> Watched<'r, 'w, 's> {
+    fn new(recorder: Recorder<'r>, watchers: &'w mut Watchers<'s>) -> Self {
+        Self { recorder, watchers, is_stopped: false, wanted: [false; 2], wants_a_moment: [false; 2] }
     }
 }
 
-impl Observer for Watched<'_, '_> {
+impl Observer for Watched<'_, '_, '_> {
     fn step(&mut self, live: &Live) {
         self.recorder.step(live);
         if let Some(observer) = &mut self.watchers.observer {
@@ -246,6 +249,29 @@ impl Observer for Watched<'_, '_> {
         }
         if let Some(stop) = &mut self.watchers.stop {
             self.is_stopped |= stop(frame);
+        }
+    }
+
+    fn check(&mut self, frame: &Frame) {
+        self.recorder.check(frame);
+        if let Some(observer) = &mut self.watchers.observer {
+            observer.check(frame);
+        }
+    }
+
+    fn wants_moment(&mut self) -> bool {
+        let by_observer = self.watchers.observer.as_mut().is_some_and(|observer| observer.wants_moment());
+        self.wants_a_moment = [self.recorder.wants_moment(), by_observer];
+        self.wants_a_moment != [false; 2]
+    }
+
+    fn moment(&mut self, frame: &Frame) {
+        let [for_recorder, for_observer] = self.wants_a_moment;
+        if for_recorder {
+            self.recorder.moment(frame);
+        }
+        if let Some(observer) = self.watchers.observer.as_mut().filter(|_| for_observer) {
+            observer.moment(frame);
         }
     }
 

@@ -3,8 +3,10 @@
 use netcast_dynamics::limits::{Excess, Term};
 use netcast_dynamics::simulate::{Place, StepError};
 use netcast_model::Model;
+use netcast_results::SecondRun;
 use netcast_scenario::OnEnergyError;
 
+use crate::case::Case;
 use crate::simulate::Ended;
 
 /// Why a run failed although its input was right.
@@ -15,8 +17,9 @@ pub enum Failure {
     Stopped(String),
     /// Its energy balance misses the tolerance, at the end or by far on the way.
     #[error(
-        "the energy balance misses its tolerance: {what} is {found:.3} %, at most {asked:.3} % is allowed{since}; \
-         a smaller step mends it, try --set solve.step_fraction={smaller}"
+        "the energy balance misses its tolerance: {what} is {found} %, at most {asked} % is allowed{since}; \
+         a smaller step mends it, try --set solve.step_fraction={smaller}",
+        found = percent(*found), asked = percent(*asked)
     )]
     Unbalanced {
         /// Which measure.
@@ -52,8 +55,8 @@ pub enum Failure {
 }
 
 impl Ended<'_> {
-    /// Why it failed, if it did, and what the reader should know.
-    pub fn verdict(&self) -> (Option<Failure>, Vec<String>) {
+    /// Why it failed, if it did, and what the reader should know; first that it is a second run, where it is.
+    pub fn verdict(&self, second: Option<&SecondRun>) -> (Option<Failure>, Vec<String>) {
         let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
         let unrest = self.rest.as_ref().and_then(|rest| rest.failure(self.model)).map(Failure::Stopped);
         // a run that came apart says so, and what mends it
@@ -61,7 +64,8 @@ impl Ended<'_> {
         let missed = if came_apart { None } else { self.unresolved().or_else(|| self.unbalanced()) };
         let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
         let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
-        let mut warnings = self.model.notes.clone();
+        let mut warnings: Vec<String> = second.map(|second| second.why.clone()).into_iter().collect();
+        warnings.extend(self.model.notes.iter().cloned());
         warnings.extend(stopped.iter().chain(&missed).map(Failure::to_string));
         (stopped.or(missed.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
     }
@@ -94,16 +98,50 @@ impl Ended<'_> {
             )
         });
         // the residual falls with the third power of the step or so; the second is on the safe side. One that was
-        // missed on the way would have grown, as far as one knows in proportion to time
+        // missed on the way would have grown, at least in proportion to time
         let at_the_end = found * self.schedule.end / self.outcome.end_time;
-        let smaller = sensible(0.9 * self.fraction() * (asked / at_the_end).sqrt());
+        let margin = if self.outcome.exceeded.is_some() { 0.4 } else { 0.9 };
+        let smaller = sensible(margin * self.fraction() * (asked / at_the_end).sqrt());
         Some(Failure::Unbalanced { what, found: 100.0 * found, asked: 100.0 * asked, since, smaller })
+    }
+
+    /// How the case is run once more: at a smaller step, where this one was chosen by netcast and missed a tolerance that
+    /// stops a run. `is_first` says whether this was the first run.
+    pub fn second_run(&self, case: &Case, is_first: bool) -> Option<SecondRun> {
+        let is_stopped = matches!(self.outcome.stopped, Some(StepError::Interrupted { .. }));
+        let stops = self.model.scenario.solve.on_energy_error == OnEnergyError::Stop;
+        if !is_first || is_stopped || !stops || !case.has_chosen_step() {
+            return None;
+        }
+        let came_apart = matches!(self.outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
+        let (step_fraction, what) = match self.unresolved().or_else(|| self.unbalanced()) {
+            _ if came_apart => (0.25 * self.fraction(), "the run came apart".to_owned()),
+            Some(Failure::Unbalanced { smaller, what, found, asked, .. }) => {
+                (smaller, format!("{what} was {} %, at most {} % is allowed", percent(found), percent(asked)))
+            }
+            Some(Failure::Unresolved { smaller, place, found, .. }) => {
+                (smaller, format!("{place} changed its length by {found:.0} % in one step"))
+            }
+            _ => return None,
+        };
+        // no run takes a hundred times as long unasked
+        let step_fraction = sensible(step_fraction.max(0.01 * self.fraction()));
+        let why = format!(
+            "the run was done again with solve.step_fraction = {step_fraction}: with {}, which netcast chose, {what}",
+            self.fraction()
+        );
+        Some(SecondRun { step_fraction, why })
     }
 
     /// The share of the stable step that was taken.
     fn fraction(&self) -> f64 {
         self.model.scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si())
     }
+}
+
+/// A percentage, to three decimals, or in powers of ten where it is huge.
+fn percent(value: f64) -> String {
+    if value < 1e4 { format!("{value:.3}") } else { format!("{value:.1e}") }
 }
 
 /// Two digits, as one types them.

@@ -152,10 +152,10 @@ fn speeds(results: &Results) -> Option<Figure> {
     Some(Figure {
         id: "speeds",
         title: "Speed",
-        note: "How fast the tractors and the feature points move.",
+        note: "The highest speed of the tractors and the feature points since the record before.",
         quantity: "speed",
         unit: "m/s".into(),
-        curves: by_suffix(results, "_speed_m_s", part_name)?,
+        curves: by_suffix(results, with_peaks(results, "_speed_peak_m_s", "_speed_m_s"), part_name)?,
         shaded: None,
     })
 }
@@ -173,7 +173,7 @@ fn travels(results: &Results) -> Option<Figure> {
 }
 
 fn class_tensions(results: &Results) -> Option<Figure> {
-    let note = "Per rope. Solid: the highest of the class; dotted: the mean of the class.";
+    let note = "Per rope. Solid: the highest of the class since the record before; dotted: its mean at the record.";
     let chosen = |class: &str| class != OF_ALL_ROPES && class != CANOPY && is_rope(results, class);
     tensions(results, "class-tensions", "Tension by link class", note, chosen)
 }
@@ -213,7 +213,8 @@ fn tensions(
     let mut curves = Vec::new();
     let maxima = results.filled().filter_map(|(column, values)| Some((column.strip_suffix("_max_n")?, values)));
     for (colour, (class, values)) in maxima.filter(|(class, _)| chosen(class)).enumerate() {
-        curves.push(Curve::new(class, &time, &values, colour));
+        let peaks = results.column(&format!("{class}_peak_n"));
+        curves.push(Curve::new(class, &time, peaks.as_ref().unwrap_or(&values), colour));
         if let Some(mean) = results.column(&format!("{class}_mean_n")) {
             let mean = Curve::new(&format!("{class}, mean"), &time, &mean, colour);
             curves.push(Curve { style: Style::Companion, ..mean });
@@ -229,10 +230,10 @@ fn point_tensions(results: &Results) -> Option<Figure> {
         Figure {
             id: "point-tensions",
             title: "Tension at the feature points",
-            note: "The ropes that meet at each point.",
+            note: "The highest of the ropes that meet at each point since the record before.",
             quantity: "tension",
             unit: String::new(),
-            curves: by_suffix(results, "_tension_n", name)?,
+            curves: by_suffix(results, with_peaks(results, "_tension_peak_n", "_tension_n"), name)?,
             shaded: None,
         },
         "N",
@@ -241,7 +242,9 @@ fn point_tensions(results: &Results) -> Option<Figure> {
 
 fn energies(results: &Results) -> Option<Figure> {
     let mut curves = by_suffix(results, "_j", channel_name)?;
-    curves.retain(|curve| curve.name != "residual");
+    // a channel that never holds anything only fills the legend
+    let is_used = |curve: &Curve| curve.points.iter().any(|(_, value)| value.is_some_and(|value| value != 0.0));
+    curves.retain(|curve| curve.name != "residual" && is_used(curve));
     Some(scaled(
         Figure {
             id: "energies",
@@ -274,6 +277,11 @@ fn residual(results: &Results) -> Option<Figure> {
 
 fn times(results: &Results) -> Option<Vec<Option<f64>>> {
     results.column("time_s")
+}
+
+/// The suffix of the columns of largest values since the record before, or of those at the record in a result without.
+fn with_peaks(results: &Results, peaks: &'static str, at_record: &'static str) -> &'static str {
+    if results.filled().any(|(column, _)| column.ends_with(peaks)) { peaks } else { at_record }
 }
 
 /// A curve for each column that ends in `suffix`.

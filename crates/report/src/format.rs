@@ -1,5 +1,7 @@
 //! Numbers as text: three significant digits, and units with a fitting prefix.
 
+use netcast_results::visible;
+
 /// Three significant digits: `15.8`, `0.0123`, `51000`, and `1.20e-9` below 1e-4.
 pub(crate) fn significant(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -87,10 +89,10 @@ pub(crate) fn grouped(count: u64) -> String {
     text
 }
 
-/// Text escaped for HTML, within an element or a quoted attribute.
+/// Text escaped for HTML, within an element or a quoted attribute, with symbols for control characters.
 pub(crate) fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in visible(text).chars() {
         match character {
             '&' => safe.push_str("&amp;"),
             '<' => safe.push_str("&lt;"),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use glam::DVec3;
-use netcast_results::{Fields, History, Landmarks, Manifest, Summary, SummaryFile, folder, read_fields};
+use netcast_results::{Fields, History, Landmarks, Manifest, Summary, SummaryFile, folder, read_fields, visible};
 
 use crate::ReportError;
 
@@ -56,15 +56,25 @@ impl Results {
     }
 
     /// The scenario's title, or `Untitled scenario` where it is blank.
-    pub(crate) fn title(&self) -> &str {
+    pub(crate) fn title(&self) -> String {
         let title = &self.summary().title;
-        if title.trim().is_empty() { "Untitled scenario" } else { title }
+        if title.trim().is_empty() { "Untitled scenario".to_owned() } else { visible(title) }
     }
 
     /// The cells of a column of the history; none where the column is absent or empty.
     pub(crate) fn column(&self, name: &str) -> Option<Vec<Option<f64>>> {
         let cells: Vec<Option<f64>> = self.history.values(name)?.collect();
         cells.iter().any(Option::is_some).then_some(cells)
+    }
+
+    /// As [`Self::column`]; of a column of largest values since the record before, which older results lack, the values at
+    /// the records.
+    pub(crate) fn peak_column(&self, name: &str) -> Option<Vec<Option<f64>>> {
+        let at_records = || match name {
+            "tension_peak_n" => "tension_max_n".to_owned(),
+            _ => name.replace("_peak", ""),
+        };
+        self.column(name).or_else(|| self.column(&at_records()))
     }
 
     /// Names and cells of the columns with at least one number, in the order of the file.

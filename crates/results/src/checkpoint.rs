@@ -42,6 +42,15 @@ impl Default for CheckpointEvery {
     }
 }
 
+/// Why a run is carried out for the second time, and how.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SecondRun {
+    /// The share of the stable step that it takes.
+    pub step_fraction: f64,
+    /// What was wrong with the first, for the reader.
+    pub why: String,
+}
+
 /// All that a run needs to go on.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
@@ -55,6 +64,8 @@ pub struct Checkpoint<'a> {
     pub measures: Cow<'a, Measures>,
     /// Lengths of the files.
     pub written: Written,
+    /// Set where the run is the second one of its case.
+    pub second_run: Option<SecondRun>,
 }
 
 /// The program and the inputs that a checkpoint belongs to.

@@ -43,10 +43,11 @@ mod series;
 mod stream;
 pub mod summary;
 mod tally;
+mod visible;
 mod vtkhdf;
 mod whole;
 
-pub use checkpoint::{Checkpoint, CheckpointEvery};
+pub use checkpoint::{Checkpoint, CheckpointEvery, SecondRun};
 pub use column::Column;
 pub use comparison::Comparison;
 pub use disk::require_room;
@@ -65,4 +66,5 @@ pub use result_folder::ResultFolder;
 pub use row::columns;
 pub use series::Series;
 pub use summary::{Summary, SummaryFile};
+pub use visible::visible;
 pub use vtkhdf::{Fields, FieldsTopology, FieldsWriter, read_fields};

@@ -1,7 +1,7 @@
-//! `manifest.json`: who ran what, where and when.
+//! `manifest.json`: the program, the inputs, the machine and the time of a run.
 //!
-//! Everything here may differ between two runs of the same scenario; everything that must not differ is elsewhere. The
-//! manifest is also the mark by which netcast knows a folder of its own.
+//! The manifest may differ between two runs of one scenario; the other files must not. netcast also recognises its own
+//! result folders by the manifest.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,31 +19,31 @@ use crate::{ResultError, json};
 /// The program's name, as the manifest gives it.
 const PROGRAM: &str = "netcast";
 
-/// Where a result comes from. What an older file lacks is empty or 0.
+/// Origin of a result. A key that an older file lacks is empty or 0.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Manifest {
     /// The program that wrote the folder: `netcast`.
     pub program: String,
-    /// Its version.
+    /// Version of the program.
     pub version: String,
-    /// The commit it was built from, where it was built in its repository.
+    /// The commit from which it was built, if it was built in its repository.
     pub revision: Option<String>,
     /// SHA-256 of the files of the `inputs` folder, by [`hash_files`].
     pub input_hash: String,
-    /// The machine it ran on.
+    /// The machine of the run.
     pub machine: Machine,
-    /// Threads used.
+    /// Number of threads of the run.
     pub threads: usize,
-    /// Seed of the random numbers, where any were drawn.
+    /// Seed of the random numbers; none if the run draws none.
     pub seed: Option<u64>,
     /// Time the run took on the clock, s.
     pub wall_time_s: f64,
-    /// When it started: UTC, RFC 3339, to the second.
+    /// Start of the run: UTC, RFC 3339, to the second.
     pub started: String,
 }
 
-/// The machine that a result was computed on.
+/// The machine that computed a result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Machine {
@@ -51,14 +51,14 @@ pub struct Machine {
     pub os: String,
     /// Instruction set, such as `x86_64`.
     pub arch: String,
-    /// The processor's own name, where the system tells it.
+    /// Name of the processor, if the system tells it.
     pub cpu: Option<String>,
-    /// Threads that can run at once.
+    /// Number of threads that can run at once.
     pub cores: Option<usize>,
 }
 
 impl Manifest {
-    /// The manifest of a run that starts now, on `threads` threads; the wall time is filled in at its end.
+    /// The manifest of a run on `threads` threads that starts now. The wall time is 0; the caller sets it at the end.
     pub fn new(input_hash: String, machine: Machine, threads: usize) -> Self {
         Self {
             program: PROGRAM.into(),
@@ -91,7 +91,7 @@ impl Manifest {
         json::read(path)
     }
 
-    /// Whether a manifest in `folder` names netcast; of any version, so only the name is looked at.
+    /// Whether `folder` has a manifest of netcast, of any version.
     pub fn marks(folder: &Path) -> bool {
         fs::read_to_string(folder.join(MANIFEST))
             .ok()
@@ -101,7 +101,7 @@ impl Manifest {
 }
 
 impl Machine {
-    /// The machine this runs on.
+    /// The machine on which this program runs.
     pub fn this() -> Self {
         Self {
             os: std::env::consts::OS.into(),
@@ -136,13 +136,13 @@ fn rfc3339(moment: OffsetDateTime) -> String {
     to_the_second.format(&Rfc3339).expect("a clock between the years 0 and 9999")
 }
 
-/// SHA-256 of files by name and content, in the order of their names, as hexadecimal; see [`hash`].
+/// SHA-256 over the names and contents of files, in the order of the names, as hexadecimal; see [`hash`].
 pub fn hash_files(files: &BTreeMap<String, Vec<u8>>) -> String {
     hash(files.iter().flat_map(|(name, content)| [name.as_bytes(), content]))
 }
 
-/// SHA-256 over some parts, as hexadecimal: of each its length and its bytes, so that no two lists run into one
-/// another.
+/// SHA-256 over some parts, as hexadecimal. Each part enters with its length, so that lists with other boundaries have
+/// other hashes.
 pub fn hash<P: AsRef<[u8]>>(parts: impl IntoIterator<Item = P>) -> String {
     let mut hash = Sha256::new();
     for part in parts {
@@ -157,8 +157,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_moment_is_told_in_utc_to_the_second() {
-        // 1 700 000 000 s after the epoch, a date that anyone can look up
+    fn a_time_is_written_in_utc_to_the_second() {
+        // 1 700 000 000 s after the epoch, a published date
         let moment = OffsetDateTime::from_unix_timestamp_nanos(1_700_000_000_987_654_321).unwrap();
         assert_eq!(rfc3339(moment), "2023-11-14T22:13:20Z");
     }
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn a_revision_is_a_commit() {
+    fn the_revision_is_the_hash_of_a_commit() {
         if let Some(revision) = option_env!("NETCAST_REVISION") {
             assert!(revision.len() >= 40 && revision.bytes().all(|byte| byte.is_ascii_hexdigit()), "{revision}");
         }
@@ -189,12 +189,12 @@ mod tests {
         assert_eq!(written.len(), 64);
         assert_ne!(written, hash(&[("scenario.toml", "b"), ("nodes.csv", "a")]));
         assert_ne!(written, hash(&[("scenario.toml", "a"), ("ropes.csv", "b")]));
-        // nothing: the value published with SHA-256
+        // the published SHA-256 of no bytes
         assert_eq!(hash(&[]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     }
 
     #[test]
-    fn a_hash_knows_the_parts_and_their_order() {
+    fn a_hash_depends_on_the_parts_and_their_order() {
         assert_ne!(hash(["a", "b"]), hash(["b", "a"]));
         assert_ne!(hash(["ab", "c"]), hash(["a", "bc"]));
     }

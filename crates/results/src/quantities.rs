@@ -6,24 +6,26 @@ use crate::landmarks::Landmarks;
 use crate::quantity::Quantity;
 use crate::row::channels;
 use crate::summary::{
-    AirMet, ClassTension, Departure, Departures, EnergyBalance, Equilibrium, Flight, ModelSize, Mouth, Opening,
-    PointExtremes, Posture, Recoil, RopeUse, SheetStress, StepSize, StowedState, Summary, TargetCoverage, Tension,
+    AirMet, ClassTension, Departure, Departures, EnergyBalance, Equilibrium, Flight, ModelSize, Mouth, Opening, Place,
+    Places, PointExtremes, Posture, Recoil, RopeUse, SheetStress, StepSize, StowedState, Summary, TargetCoverage,
+    Tension,
 };
 
 /// A section of the summary, with its rows of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
-    /// Its key in `summary.json`.
+    /// Key in `summary.json`.
     pub key: &'static str,
-    /// What it is about.
+    /// Title.
     pub title: &'static str,
-    /// Its rows; where two fit a path, the first counts.
+    /// Rows of the table; if two fit a path, the first counts.
     pub rows: &'static [&'static [Quantity]],
 }
 
 /// The sections, in the order of a designer's interest.
-pub const SECTIONS: [Section; 16] = [
+pub const SECTIONS: [Section; 17] = [
     Section { key: "opening", title: "Opening", rows: &[Opening::QUANTITIES] },
+    Section { key: "places", title: "Where it is", rows: &[Place::QUANTITIES] },
     Section { key: "mouth", title: "Mouth", rows: &[Mouth::QUANTITIES] },
     Section { key: "target", title: "Target", rows: &[TargetCoverage::QUANTITIES] },
     Section { key: "flight", title: "Flight", rows: &[Flight::QUANTITIES] },
@@ -33,7 +35,11 @@ pub const SECTIONS: [Section; 16] = [
         rows: &[Tension::QUANTITIES, ClassTension::QUANTITIES, RopeUse::QUANTITIES],
     },
     Section { key: "posture", title: "Posture", rows: &[Posture::QUANTITIES] },
-    Section { key: "points", title: "Feature points", rows: &[PointExtremes::WANTED, PointExtremes::QUANTITIES] },
+    Section {
+        key: "points",
+        title: "Feature points",
+        rows: &[PointExtremes::SINGLE_POINTS, PointExtremes::QUANTITIES],
+    },
     Section { key: "model", title: "Size and mass", rows: &[ModelSize::QUANTITIES] },
     Section { key: "stowed", title: "Stowed", rows: &[StowedState::QUANTITIES] },
     Section { key: "air", title: "Air", rows: &[AirMet::QUANTITIES] },
@@ -49,11 +55,11 @@ pub const SECTIONS: [Section; 16] = [
     Section { key: "wall_time_s", title: "Computation", rows: &[Summary::QUANTITIES] },
 ];
 
-/// Keys of the summary that are no quantities: they say which run it is and how it ended.
+/// Keys of the summary that are not quantities: they tell which run it is and how it ended.
 const ABOUT_THE_RUN: [&str; 4] = ["title", "netcast", "finished", "warnings"];
 
 impl Section {
-    /// Its rows of the table.
+    /// The rows of this section.
     pub fn quantities(&self) -> impl Iterator<Item = &'static Quantity> {
         self.rows.iter().copied().flatten()
     }
@@ -64,29 +70,30 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     SECTIONS.iter().flat_map(Section::quantities)
 }
 
-/// The row for a path of the summary, and the name that stands there for `*`; empty where it has none.
+/// The row for a path of the summary, and the name at `*` in the path, empty for a row without `*`. None if no row fits.
 pub fn quantity_at(path: &str) -> Option<(&'static Quantity, String)> {
     let keys = split(path);
     quantities().find_map(|quantity| Some((quantity, matched(&quantity.path(), &keys)?.to_owned())))
 }
 
-/// The paths that the summary of a design with these landmarks will have, each with its row of the table, for the
-/// sections that `is_there` says it has.
-pub fn expected(landmarks: &Landmarks, is_there: impl Fn(&str) -> bool) -> Vec<(String, &'static Quantity)> {
+/// The paths that the summary of a design with these landmarks will have, each with its row of the table.
+/// `has_section` tells by its key whether the summary has a section.
+pub fn expected(landmarks: &Landmarks, has_section: impl Fn(&str) -> bool) -> Vec<(String, &'static Quantity)> {
     let names = |path: &str| -> Vec<String> {
         let points = landmarks.points.iter().map(|point| &point.name[..]);
         match path.split_once(".*").map_or("", |(map, _)| map) {
             "points" => points.chain(Landmarks::ALWAYS_NAMED).map(str::to_owned).collect(),
+            "places" => Places::MOMENTS.map(str::to_owned).to_vec(),
             "tension.by_class" => landmarks.classes.iter().map(|class| class.name.clone()).collect(),
             "tension.by_rope" => landmarks.ropes.iter().map(|rope| rope.name.clone()).collect(),
             "launch.tractors" => (1..=landmarks.corners.len()).map(|corner| corner.to_string()).collect(),
             "energy.channels" => channels().map(str::to_owned).collect(),
-            // nothing stands by name there
+            // a path without `*`
             _ => vec![String::new()],
         }
     };
     let of_section = |section: &Section| section.quantities().collect::<Vec<_>>();
-    let rows = SECTIONS.iter().filter(|section| is_there(section.key)).flat_map(of_section);
+    let rows = SECTIONS.iter().filter(|section| has_section(section.key)).flat_map(of_section);
     rows.flat_map(|quantity| {
         let path = quantity.path();
         let paths = names(&path).into_iter().map(move |name| path.replacen('*', &quoted(&name), 1));
@@ -95,7 +102,8 @@ pub fn expected(landmarks: &Landmarks, is_there: impl Fn(&str) -> bool) -> Vec<(
     .collect()
 }
 
-/// All numbers, texts and truths of a summary with their paths, in its order; null where the run has no such thing.
+/// The value of every quantity of a summary with its path, in the order of the summary; null if the run does not have
+/// the quantity.
 pub fn leaves(summary: &Value) -> Vec<(String, &Value)> {
     let mut leaves = Vec::new();
     for (key, value) in summary.as_object().into_iter().flatten() {
@@ -106,24 +114,27 @@ pub fn leaves(summary: &Value) -> Vec<(String, &Value)> {
     leaves
 }
 
+/// Appends the leaves of `value`, which stands at `path`.
 fn collect<'v>(path: String, value: &'v Value, leaves: &mut Vec<(String, &'v Value)>) {
     match value {
         Value::Object(entries) => {
-            entries.iter().for_each(|(key, value)| collect(format!("{path}.{}", quoted(key)), value, leaves));
+            for (key, value) in entries {
+                collect(format!("{path}.{}", quoted(key)), value, leaves);
+            }
         }
-        // a list has no cell in a table
+        // a table has no cell for a list
         Value::Array(_) => {}
         leaf => leaves.push((path, leaf)),
     }
 }
 
-/// A key as it stands in a path, which a key with a dot must not break.
+/// A key as it stands in a path: in quotes if it has other characters than letters, digits, `_` and `-`.
 fn quoted(key: &str) -> String {
     let bare = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
     if bare { key.to_owned() } else { format!("{key:?}") }
 }
 
-/// The keys of a path, without their quotes. At least one.
+/// The keys of a path without quotes; at least one. Inverse of [`quoted`] keys joined by dots.
 pub(crate) fn split(path: &str) -> Vec<String> {
     let (mut keys, mut key, mut within) = (Vec::new(), String::new(), false);
     let mut characters = path.chars();
@@ -139,7 +150,7 @@ pub(crate) fn split(path: &str) -> Vec<String> {
     keys
 }
 
-/// The key that stands for `*` where the pattern fits; empty where it has none.
+/// The key at `*` of the pattern, empty for a pattern without `*`; none if the pattern does not fit.
 fn matched<'k>(pattern: &str, keys: &'k [String]) -> Option<&'k str> {
     let parts: Vec<&str> = pattern.split('.').collect();
     let fits = parts.len() == keys.len() && parts.iter().zip(keys).all(|(part, key)| *part == "*" || part == key);
@@ -175,19 +186,21 @@ mod tests {
         serde_json::to_value(summary).unwrap()
     }
 
-    /// Paths of all values, lists among them.
+    /// Paths of all values, including lists.
     fn paths(values: &Value) -> Vec<String> {
         fn walk(path: &str, value: &Value, into: &mut Vec<String>) {
             match value {
                 Value::Object(entries) => {
-                    entries.iter().for_each(|(key, value)| walk(&format!("{path}.{}", quoted(key)), value, into));
+                    for (key, value) in entries {
+                        walk(&format!("{path}.{}", quoted(key)), value, into);
+                    }
                 }
                 _ => into.push(path[1..].to_owned()),
             }
         }
         let mut found = Vec::new();
         walk("", values, &mut found);
-        // what says which run it is, and the list of what broke, are no quantities
+        // keys about the run and the list of broken segments are not quantities
         found.retain(|path| !ABOUT_THE_RUN.contains(&&path[..]) && path != "breaks");
         found
     }
@@ -206,14 +219,14 @@ mod tests {
     }
 
     #[test]
-    fn every_row_belongs_to_the_section_that_lists_it_and_stands_once() {
+    fn every_row_occurs_once_and_in_its_own_section() {
         let mut seen = BTreeSet::new();
         for section in &SECTIONS {
             for quantity in section.quantities() {
                 assert_eq!(quantity.section(), section.key, "{}", quantity.path());
-                assert!(seen.insert(quantity.path()), "{} stands twice", quantity.path());
+                assert!(seen.insert(quantity.path()), "{} occurs twice", quantity.path());
                 assert!(!quantity.definition().is_empty());
-                // a name for each, and one only
+                // the name has a placeholder exactly if the path has one
                 assert_eq!(quantity.path().contains('*'), quantity.name.contains("{}"), "{}", quantity.path());
             }
         }
@@ -230,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_design_will_have_is_known_without_running_it() {
+    fn the_paths_of_a_design_are_known_before_its_run() {
         let landmarks = Landmarks {
             classes: vec![LinkClass { name: "rope.3".into(), is_rope: true, strength: None }],
             ropes: vec![NamedRope { name: "border".into(), strength: None, knot_reduction: None }],
@@ -252,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn leaves_are_all_but_lists_and_what_names_the_run() {
+    fn leaves_leave_out_lists_and_keys_about_the_run() {
         let summary = json!({
             "title": "x", "finished": true, "warnings": ["y"], "wall_time_s": 2.0,
             "points": {"A": null, "knot.3": {"starts_s": 0.5}}, "list": [1, 2], "flight": {"still_up": false}
@@ -262,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_split_as_they_are_put_together() {
+    fn a_path_is_split_into_the_keys_it_was_joined_from() {
         for keys in [vec!["a", "b"], vec!["a.b", "c"], vec!["say \"x\"", "\\", "µ"]] {
             let path: Vec<String> = keys.iter().map(|key| quoted(key)).collect();
             assert_eq!(split(&path.join(".")), keys);

@@ -1,4 +1,4 @@
-//! The observer that turns a run into results: measures at every step, rows and frames at record times. Rows and frames
+//! The observer that turns a run into results: measures at every step, rows and frames at records. Rows and frames
 //! go to the disk as they come, or stay in memory; the measures are few, and are kept in checkpoints.
 
 use std::borrow::Cow;
@@ -7,21 +7,21 @@ use std::time::{Duration, Instant};
 
 use glam::DVec3;
 use netcast_dynamics::limits::Limits;
-use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome};
+use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome, StepError};
 use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::state::State;
 use netcast_dynamics::system::System;
 
-use crate::checkpoint::{Checkpoint, CheckpointEvery};
+use crate::checkpoint::{Checkpoint, CheckpointEvery, SecondRun};
 use crate::landmarks::Landmarks;
 use crate::measures::{Measured, Measures, WebState};
-use crate::row::{RowLayout, RunRecord};
+use crate::row::{ClassTensions, RowLayout, RunRecord};
 use crate::series::Series;
 use crate::stream::Stream;
 use crate::summary::Summary;
 use crate::{FieldsTopology, ResultError, folder};
 
-/// What is told of a run's progress at every record time: (time reached, s).
+/// What is told of a run's progress at every record: (time reached, s).
 pub type Progress<'p> = dyn FnMut(f64) + Send + 'p;
 
 /// Records a run.
@@ -35,6 +35,7 @@ pub struct Recorder<'r> {
     progress: &'r mut Progress<'r>,
     interrupted: &'r (dyn Fn() -> bool + Sync),
     limits: Limits,
+    wants_moment: bool,
     error: Option<ResultError>,
 }
 
@@ -49,6 +50,8 @@ pub struct Checkpoints {
     pub wall_time_before: Duration,
     /// When this program took it over.
     pub clock: Instant,
+    /// Set where the run is the second one of its case.
+    pub second_run: Option<SecondRun>,
 }
 
 /// Where rows and frames go.
@@ -105,6 +108,7 @@ impl<'r> Recorder<'r> {
             progress,
             interrupted,
             limits: Limits::NONE,
+            wants_moment: false,
             error: None,
         })
     }
@@ -130,7 +134,12 @@ impl<'r> Recorder<'r> {
     /// What was kept in memory, where it was asked to be; from then on nothing is kept.
     pub fn take_series(&mut self) -> Option<Series> {
         match std::mem::replace(&mut self.keeping, Keeping::Nowhere) {
-            Keeping::InMemory(series) => Some(*series),
+            Keeping::InMemory(mut series) => {
+                for frame in self.measures.moments().iter() {
+                    series.fields.insert(frame);
+                }
+                Some(*series)
+            }
             other => {
                 self.keeping = other;
                 None
@@ -175,15 +184,22 @@ impl<'r> Recorder<'r> {
         self.layout.row(&RunRecord { landmarks, frame, at_steps, class_tensions, web })
     }
 
-    /// (mean, largest) tension of each class, N, of the segments that are not gone.
-    fn class_tensions(&self, tension: &[f64]) -> Vec<(f64, f64)> {
+    /// Tension of each class, of the segments that are not gone.
+    fn class_tensions(&self, tension: &[f64]) -> Vec<ClassTensions> {
         let landmarks = &self.of.landmarks;
-        let mut sums = vec![(0.0, 0.0, 0.0); landmarks.classes.len()];
+        let mut found = vec![ClassTensions::default(); landmarks.classes.len()];
+        let mut count = vec![0.0; landmarks.classes.len()];
         for (&tension, &group) in tension.iter().zip(&self.of.groups).filter(|(tension, _)| !tension.is_nan()) {
-            let (sum, count, max) = &mut sums[landmarks.groups[group].class];
-            (*sum, *count, *max) = (*sum + tension, *count + 1.0, f64::max(*max, tension));
+            let class = landmarks.groups[group].class;
+            let of = &mut found[class];
+            (of.mean, of.now, count[class]) = (of.mean + tension, of.now.max(tension), count[class] + 1.0);
         }
-        sums.into_iter().map(|(sum, count, max)| (sum / f64::max(count, 1.0), max)).collect()
+        let peaks = &self.measures.at_steps.since_record().class_tension;
+        for ((of, count), peak) in found.iter_mut().zip(count).zip(peaks) {
+            of.mean /= f64::max(count, 1.0);
+            of.peak = of.now.max(*peak);
+        }
+        found
     }
 
     /// Keeps a record where it is asked to.
@@ -223,7 +239,9 @@ impl<'r> Recorder<'r> {
             return Err(error);
         }
         if let Keeping::OnDisk(kept) = self.keeping {
-            kept.stream.finish()?;
+            // a run that can go on keeps its frames as they came: it appends to them
+            let is_over = !matches!(outcome.stopped, Some(StepError::Interrupted { .. }));
+            kept.stream.finish(self.measures.moments().iter().filter(|_| is_over))?;
         }
         Ok(self.measures.finish(&self.of, outcome, tolerance))
     }
@@ -231,15 +249,27 @@ impl<'r> Recorder<'r> {
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, live: &Live) {
-        self.measures.step(&self.of, live);
+        self.wants_moment = self.measures.step(&self.of, live);
     }
 
     fn record(&mut self, frame: &Frame) {
-        let web = self.measures.record(&self.of, frame);
+        let web = self.measures.web(&self.of, frame);
         let kept = self.keep(frame, &web);
         self.remember(kept);
-        self.measures.recorded(frame);
+        self.measures.recorded(&self.of, frame);
         (self.progress)(frame.time);
+    }
+
+    fn check(&mut self, frame: &Frame) {
+        self.measures.check(&self.of, frame);
+    }
+
+    fn wants_moment(&mut self) -> bool {
+        self.wants_moment
+    }
+
+    fn moment(&mut self, frame: &Frame) {
+        self.measures.keep(&self.of, frame);
     }
 
     fn limits(&self) -> Limits {
@@ -308,7 +338,7 @@ impl Kept {
     }
 
     fn write_checkpoint(&mut self, snapshot: &Snapshot, measures: &Measures) -> Result<(), ResultError> {
-        let Checkpoints { every: _, input_hash, wall_time_before, clock } = &self.checkpoints;
+        let Checkpoints { every: _, input_hash, wall_time_before, clock, second_run } = &self.checkpoints;
         let checkpoint = Checkpoint {
             time_s: measures.last_time,
             wall_time_s: (*wall_time_before + clock.elapsed()).as_secs_f64(),
@@ -316,6 +346,7 @@ impl Kept {
             measures: Cow::Borrowed(measures),
             // the files reach the disk before the checkpoint that counts on them
             written: self.stream.sync()?,
+            second_run: second_run.clone(),
         };
         checkpoint.write(&self.checkpoint, input_hash)?;
         self.last = (measures.last_time, Instant::now());

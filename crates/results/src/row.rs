@@ -1,4 +1,4 @@
-//! The rows of `history.csv`: which columns there are, and what stands in them at a record time.
+//! The rows of `history.csv`: which columns there are, and what stands in them at a record.
 //!
 //! Each list holds a column and its value side by side: first those of the run, then those of each feature point, link
 //! class and energy channel, then those of the web as a whole (`measures/records.rs`).
@@ -20,8 +20,8 @@ pub(crate) struct RunRecord<'r> {
     pub landmarks: &'r Landmarks,
     pub frame: &'r Frame<'r>,
     pub at_steps: &'r StepMeasures,
-    /// Mean and largest tension of each link class, N.
-    pub class_tensions: Vec<(f64, f64)>,
+    /// Tension of each link class.
+    pub class_tensions: Vec<ClassTensions>,
     pub web: &'r WebState,
 }
 
@@ -29,6 +29,7 @@ pub(crate) struct RunRecord<'r> {
 struct PointRecord<'r> {
     run: &'r RunRecord<'r>,
     point: &'r Landmark,
+    index: usize,
     place: DVec3,
     travel: f64,
 }
@@ -53,9 +54,16 @@ const RUN: &[OfRun] = &[
     (Column::new("tractor_travel_m", Length, "Mean travel of the tractors."), |run| run.travel("tractor")),
     (Column::new("tension_max_n", Force, "Highest tension of any rope."), |run| {
         let classes = run.landmarks.classes.iter().zip(&run.class_tensions);
-        Some(classes.filter(|(class, _)| class.is_rope).map(|(_, tension)| tension.1).fold(0.0, f64::max))
+        Some(classes.filter(|(class, _)| class.is_rope).map(|(_, tension)| tension.now).fold(0.0, f64::max))
     }),
 ];
+
+/// Largest values since the record before, of the run.
+const RUN_PEAKS: &[OfRun] =
+    &[(Column::new("tension_peak_n", Force, "Highest tension of any rope since the record before."), |run| {
+        let classes = run.landmarks.classes.iter().zip(&run.class_tensions);
+        Some(classes.filter(|(class, _)| class.is_rope).map(|(_, tension)| tension.peak).fold(0.0, f64::max))
+    })];
 
 /// Columns of a feature point, a group of corners or tractors, or the centre.
 const POINT: &[OfPoint] = &[
@@ -69,11 +77,39 @@ const POINT: &[OfPoint] = &[
     }),
 ];
 
-/// Columns of a link class, of its mean and largest tension.
-const CLASS: &[ColumnOf<(f64, f64)>] = &[
-    (Column::new("{}_mean_n", Force, "Mean tension of the segments of a link class."), |(mean, _)| Some(*mean)),
-    (Column::new("{}_max_n", Force, "Highest tension of the segments of a link class."), |(_, max)| Some(*max)),
+/// Largest values of a feature point since the record before.
+const POINT_PEAKS: &[OfPoint] = &[
+    (Column::new("{}_speed_peak_m_s", Speed, "Highest speed since the record before."), |at| {
+        let now = at.point.speed(|node| at.run.frame.velocity[node]);
+        Some(now.max(at.run.at_steps.since_record().point_speed[at.index]))
+    }),
+    (Column::new("{}_tension_peak_n", Force, "Highest tension there since the record before."), |at| {
+        let now = at.point.segments.iter().map(|&segment| at.run.frame.tension[segment]).reduce(f64::max)?;
+        Some(now.max(at.run.at_steps.since_record().point_tension[at.index]))
+    }),
 ];
+
+/// Tension of a link class at a record, N.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ClassTensions {
+    pub mean: f64,
+    /// The highest of its segments.
+    pub now: f64,
+    /// The highest of them since the record before.
+    pub peak: f64,
+}
+
+/// Columns of a link class.
+const CLASS: &[ColumnOf<ClassTensions>] = &[
+    (Column::new("{}_mean_n", Force, "Mean tension of the segments of a link class."), |of| Some(of.mean)),
+    (Column::new("{}_max_n", Force, "Highest tension of the segments of a link class."), |of| Some(of.now)),
+];
+
+/// Largest values of a link class since the record before.
+const CLASS_PEAKS: &[ColumnOf<ClassTensions>] =
+    &[(Column::new("{}_peak_n", Force, "Highest tension of a link class since the record before."), |of| {
+        Some(of.peak)
+    })];
 
 /// The column of an energy channel.
 const CHANNEL: Column =
@@ -88,7 +124,11 @@ pub fn columns() -> impl Iterator<Item = (Column, &'static str)> {
     let points = POINT.iter().map(|(column, _)| (*column, "POINT"));
     let classes = CLASS.iter().map(|(column, _)| (*column, "CLASS"));
     let web = records::COLUMNS.iter().map(|(column, _)| (*column, ""));
-    run.chain(points).chain(classes).chain([(CHANNEL, "CHANNEL")]).chain(web)
+    let run_peaks = RUN_PEAKS.iter().map(|(column, _)| (*column, ""));
+    let point_peaks = POINT_PEAKS.iter().map(|(column, _)| (*column, "POINT"));
+    let class_peaks = CLASS_PEAKS.iter().map(|(column, _)| (*column, "CLASS"));
+    let peaks = run_peaks.chain(point_peaks).chain(class_peaks);
+    run.chain(points).chain(classes).chain([(CHANNEL, "CHANNEL")]).chain(web).chain(peaks)
 }
 
 /// How the rows of a run are laid out.
@@ -116,6 +156,13 @@ impl RowLayout {
         names.extend(channels.iter().map(|channel| CHANNEL.name_of(channel.name())));
         names.push(CHANNEL.name_of(RESIDUAL));
         names.extend(records::COLUMNS.iter().map(|(column, _)| column.name.to_owned()));
+        names.extend(RUN_PEAKS.iter().map(|(column, _)| column.name.to_owned()));
+        for point in &landmarks.points {
+            names.extend(POINT_PEAKS.iter().map(|(column, _)| of_each(column, &point.name)));
+        }
+        for class in &landmarks.classes {
+            names.extend(CLASS_PEAKS.iter().map(|(column, _)| of_each(column, &class.name)));
+        }
         let mut seen = BTreeSet::new();
         let kept: Vec<bool> = names.iter().map(|name| seen.insert(name.clone())).collect();
         let columns = names.into_iter().zip(&kept).filter(|(_, kept)| **kept).map(|(name, _)| name).collect();
@@ -126,11 +173,10 @@ impl RowLayout {
     pub fn row(&self, record: &RunRecord) -> Vec<Option<f64>> {
         let RunRecord { landmarks, frame, .. } = record;
         let mut row: Vec<Option<f64>> = RUN.iter().map(|(_, value)| value(record)).collect();
-        for (index, point) in landmarks.points.iter().enumerate() {
-            let place = mean(&point.nodes, |node| frame.position[node]);
-            let travel = record.at_steps.displacement(index, place).dot(landmarks.axis);
-            let at = PointRecord { run: record, point, place, travel };
-            row.extend(POINT.iter().map(|(_, value)| value(&at)));
+        let points: Vec<PointRecord> =
+            landmarks.points.iter().enumerate().map(|of| PointRecord::new(record, of)).collect();
+        for at in &points {
+            row.extend(POINT.iter().map(|(_, value)| value(at)));
         }
         for tensions in &record.class_tensions {
             row.extend(CLASS.iter().map(|(_, value)| value(tensions)));
@@ -138,6 +184,13 @@ impl RowLayout {
         row.extend(self.channels.iter().map(|&channel| Some(frame.ledger[channel])));
         row.push(Some(frame.residual));
         row.extend(records::COLUMNS.iter().map(|(_, value)| value(record.web)));
+        row.extend(RUN_PEAKS.iter().map(|(_, value)| value(record)));
+        for at in &points {
+            row.extend(POINT_PEAKS.iter().map(|(_, value)| value(at)));
+        }
+        for tensions in &record.class_tensions {
+            row.extend(CLASS_PEAKS.iter().map(|(_, value)| value(tensions)));
+        }
         let kept = row.into_iter().zip(&self.kept).filter(|(_, kept)| **kept);
         // what overflows as a run diverges has no value
         kept.map(|(cell, _)| cell.filter(|value| value.is_finite())).collect()
@@ -148,6 +201,14 @@ impl RowLayout {
 pub(crate) fn channels() -> impl Iterator<Item = &'static str> {
     let of_every_run = Channel::ALL.iter().filter(|channel| **channel != Channel::Custom);
     of_every_run.map(|channel| channel.name()).chain([RESIDUAL])
+}
+
+impl<'r> PointRecord<'r> {
+    fn new(run: &'r RunRecord<'r>, (index, point): (usize, &'r Landmark)) -> Self {
+        let place = mean(&point.nodes, |node| run.frame.position[node]);
+        let travel = run.at_steps.displacement(index, place).dot(run.landmarks.axis);
+        PointRecord { run, point, index, place, travel }
+    }
 }
 
 impl RunRecord<'_> {
@@ -201,7 +262,8 @@ mod tests {
                 "energy_kinetic_j",
             ]
         );
-        assert_eq!(names.last().unwrap(), "mass_centre_height_m");
+        let web = names.iter().position(|name| name == "mass_centre_height_m").unwrap();
+        assert_eq!(names[web + 1..], ["tension_peak_n", "B_speed_peak_m_s", "B_tension_peak_n", "ring_peak_n"]);
     }
 
     #[test]

@@ -33,6 +33,6 @@ impl Series {
             let (positions, velocities) = (fields.positions(frame), fields.velocities(frame));
             stream.fields().push(time, positions, velocities, fields.tensions(frame), orientations)?;
         }
-        stream.finish()
+        stream.finish([])
     }
 }

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use crate::journal::{JournalWriter, read_journal};
+use crate::measures::KeptFrame;
 use crate::tally::{Extent, Tally};
 use crate::{FieldsTopology, FieldsWriter, ResultError, folder, history, read_fields, whole};
 
@@ -103,14 +104,17 @@ impl Stream {
         Ok(Written { history: self.history.get_ref().extent(), fields: self.fields.sync()? })
     }
 
-    /// Closes the history and makes `fields.vtkhdf` of the fields.
+    /// Closes the history and makes `fields.vtkhdf` of the fields and of the frames of `moments`.
     ///
     /// # Errors
     /// [`ResultError`] where a file cannot be written.
-    pub fn finish(mut self) -> Result<(), ResultError> {
+    pub fn finish<'f>(mut self, moments: impl IntoIterator<Item = &'f KeptFrame>) -> Result<(), ResultError> {
         self.flush()?;
         let part = self.folder.join(folder::FIELDS_PART);
-        let (fields, _) = read_journal(&part)?;
+        let (mut fields, _) = read_journal(&part)?;
+        for frame in moments {
+            fields.insert(frame);
+        }
         write_fields(&self.folder, fields)?;
         std::fs::remove_file(&part).map_err(ResultError::write(&part))
     }

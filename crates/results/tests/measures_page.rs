@@ -1,6 +1,6 @@
-//! `docs/theory/measures.md` lists every number of summary.json and history.csv, from the table of quantities.
+//! `docs/theory/measures.md` lists every number of summary.json and history.csv as the table of quantities has it.
 //!
-//! `NETCAST_WRITE_DOCS=1 cargo test -p netcast-results --test measures_page` writes the lists anew.
+//! `NETCAST_WRITE_DOCS=1 cargo test -p netcast-results --test measures_page` rewrites the lists.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use netcast_results::{Better, SECTIONS, columns};
 const START: &str = "<!-- From the table of quantities; crates/results/tests/measures_page.rs writes it. -->\n";
 const END: &str = "<!-- End of the lists. -->\n";
 
-/// The lists as they should stand on the page.
+/// The lists that the page must have.
 fn lists() -> String {
     let mut page = "\n### summary.json\n".to_owned();
     let mut last = "";
@@ -22,7 +22,7 @@ fn lists() -> String {
             );
             last = section.title;
         }
-        // rows of one point say what is wanted of it, not what it is
+        // rows of single points differ from those of `points.*` only in name and direction of better
         for quantity in
             section.quantities().filter(|row| !row.parent.starts_with("points.") || row.path().contains('*'))
         {
@@ -43,7 +43,7 @@ fn lists() -> String {
     page + "\n"
 }
 
-/// Text that does not end the cell that it stands in.
+/// Text with its column separators escaped.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }

@@ -10,7 +10,8 @@ use crate::quantity::Time;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Record {
-    /// Time between two rows of the history, s. Default: 1 ms.
+    /// Time between two rows of the history, s. Each is taken at the step nearest to its time. It changes no bit of the
+    /// motion. Default: 1 ms.
     pub every: Time<Positive>,
     /// Time between two frames of the fields, s. Default: `every`.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -75,7 +75,9 @@ fn assert_same(whole: &Path, resumed: &Path, of: &str) {
 /// Interrupts a run at record number `records` on the first number of threads, and resumes it on the second.
 fn interrupt(document: &Document, target: &Path, records: usize, threads: [usize; 2]) {
     let (ran, taken) = run_for(document, target, &options(threads[0], false), records);
-    assert!(!ran.summary.finished && ran.can_resume && taken == records, "{taken} records of {records}");
+    // the last record of a first run that is done again is no place to stop at
+    let is_there = (records..=records + 1).contains(&taken);
+    assert!(!ran.summary.finished && ran.can_resume && is_there, "{taken} records of {records}");
     assert!(target.join(folder::CHECKPOINT).exists() && target.join(folder::FIELDS).exists());
     run_to_end(document, target, &options(threads[1], true));
 }

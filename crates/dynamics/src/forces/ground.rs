@@ -110,8 +110,11 @@ impl Ground {
         if depth <= 0.0 {
             return ElementForces::NONE;
         }
-        let elastic = spring.stiffness * ramp(depth, (v.z * dt).abs());
-        let normal = (elastic - spring.damping * v.z).max(0.0);
+        let swept = (v.z * dt).abs();
+        let elastic = spring.stiffness * ramp(depth, swept);
+        // the damper begins with a jump: at the first step it makes up for the part of a step that it has acted so far
+        let acted = if depth < swept { 0.5 + depth / swept } else { 1.0 };
+        let normal = (elastic - acted * spring.damping * v.z).max(0.0);
         let sliding = DVec3::new(v.x, v.y, 0.0);
         let speed = sliding.length();
         let rubbing = (self.friction * normal).min(0.5 * spring.mass * speed / dt);

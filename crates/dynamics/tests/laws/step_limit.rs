@@ -21,7 +21,7 @@ fn speed_after(share: f64, steps: f64, damping_ratio: f64) -> f64 {
     let system = net.build();
     let dt = share * step_limit(&system).dt;
     let mut film = Film::default();
-    simulate(&system, &net.state, &Schedule::new(steps * dt, dt, dt), 1, &mut film);
+    simulate(&system, &net.state, &Schedule::steps(dt, steps as u64), 1, &mut film);
     film.frames.last().expect("recorded").2.iter().map(|v| v.length()).fold(0.0, f64::max)
 }
 
@@ -55,7 +55,7 @@ fn a_step_far_beyond_the_limit_stops_the_run_and_says_where() {
     net.state.velocity[10] = DVec3::new(70.0, 0.0, 0.0);
     let system = net.build();
     let dt = 3.0 * step_limit(&system).dt;
-    let outcome = simulate(&system, &net.state, &Schedule::new(0.2, 1e-3, dt), 1, &mut Film::default());
+    let outcome = simulate(&system, &net.state, &Schedule::steps(dt, (0.2 / dt) as u64), 1, &mut Film::default());
     let stopped = outcome.stopped.expect("it must not run to the end");
     assert!(matches!(stopped, StepError::Diverged { .. } | StepError::NotFinite { .. }), "{stopped}");
     assert!(outcome.end_time < 0.2);
@@ -70,7 +70,7 @@ proptest! {
         let system = net.build();
         let limit = step_limit(&system).dt;
         prop_assume!(limit.is_finite());
-        let outcome = simulate(&system, &net.state, &Schedule::new(500.0 * limit, 500.0 * limit, 0.999 * limit), 1, &mut Film::default());
+        let outcome = simulate(&system, &net.state, &Schedule::steps(0.999 * limit, 500), 1, &mut Film::default());
         prop_assert!(outcome.stopped.is_none());
         let (end, start) = (outcome.ledger, outcome.balance.initial());
         prop_assert!(end[Channel::Kinetic] + end[Channel::Elastic] <= 3.0 * start, "from {start} J to {end:?}");

@@ -32,6 +32,7 @@ mod release;
 mod rope_law;
 mod scatter;
 mod selection;
+mod silences;
 mod size;
 mod statics;
 mod stepping;
@@ -144,7 +145,7 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // whether the equilibrium exists that `solve.static` asks for
     (Statics, &[System], statics::check),
     // notes to the user
-    (Notes, &[System], notes::add),
+    (Notes, &[Steps], notes::add),
 ];
 
 #[cfg(test)]

@@ -8,12 +8,13 @@ use netcast_scenario::Diagnostics;
 
 use super::draft::Draft;
 use super::exposure;
+use super::silences;
 use super::throw::{Throw, Thrown};
 
 /// Adds the notes on the model as a whole.
 pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
-    let Draft { scenario, cut, throws, state, air, system, falls, notes, .. } = draft;
-    let Some((system, _)) = system else { return Ok(()) };
+    let Draft { document, scenario, cut, throws, state, air, system, falls, notes, .. } = draft;
+    let Some((system, limit)) = system else { return Ok(()) };
     if scenario.measure.target_diameter.is_some() && cut.cells().is_empty() {
         notes.push("the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned());
     }
@@ -21,6 +22,9 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     let gravity = system.environment().gravity.length();
     notes.extend(exposure::notes(scenario, gravity, air.as_ref(), *falls));
     notes.extend(never_moves(system, state));
+    let dt = scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si()) * limit.dt;
+    let end = scenario.solve.run_time().unwrap_or(0.0);
+    notes.extend(silences::notes(document, scenario, throws, air.as_ref(), dt, end));
     Ok(())
 }
 

@@ -19,6 +19,9 @@ const TRIANGLE: f64 = 2500.0;
 /// Copies of the recorded fields in memory while their file and the report are written.
 const COPIES: f64 = 2.5;
 
+/// Frames that a run keeps in memory as it goes, for the moments that every result shows.
+const MOMENTS: f64 = 6.0;
+
 /// Bytes of a row of the history.
 const ROW: f64 = 1500.0;
 
@@ -77,7 +80,8 @@ impl Size {
         // positions, velocities, tensions
         let frame = (6.0 * nodes + self.segments + self.triangles) * size_of::<f64>() as f64;
         let web = KNOT * self.knots + ROPE * self.ropes + SEGMENT * self.segments + TRIANGLE * self.triangles;
-        web + ROW * self.rows + COPIES * frame * self.frames
+        let moments = if self.frames > 0.0 { MOMENTS } else { 0.0 };
+        web + ROW * self.rows + frame * (COPIES * self.frames + moments)
     }
 
     /// Checks that the machine has the memory. Sizes beyond every machine are refused elsewhere, by bounds of their own.

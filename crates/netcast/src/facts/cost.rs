@@ -87,7 +87,7 @@ pub(super) fn cost(case: &Case) -> Option<Cost> {
         ("hinges", model.system.parts().hinges.len()),
         ("rigid bodies", model.system.bodies().len()),
     ];
-    let records = schedule.count / schedule.steps_per_record + 1;
+    let records = schedule.record_count();
     let frame = (nodes * 6 + segments + model.system.membranes().len()) * size_of::<f64>();
     Some(Cost {
         nodes,

@@ -54,13 +54,13 @@ const QUANTITIES: [OverlaidQuantity; 17] = [
         factor: 100.0,
         ..OverlaidQuantity::new("coverage", "Target covered", "Share of the stated target.", "%", &["target_coverage"])
     },
-    OverlaidQuantity::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_max_n"]),
+    OverlaidQuantity::new("tension", "Highest tension", "Of all ropes, per rope.", "N", &["tension_peak_n"]),
     OverlaidQuantity::new(
         "bottom-tension",
         "Bottom ropes",
         "The highest tension of the ropes at point B.",
         "N",
-        &["B_tension_n"],
+        &["B_tension_peak_n"],
     ),
     OverlaidQuantity::new("ring-tension", "Ring ropes", "Their mean tension.", "N", &["ring_mean_n"]),
     OverlaidQuantity::new("radial-tension", "Radial ropes", "Their mean tension.", "N", &["radial_mean_n"]),
@@ -69,7 +69,7 @@ const QUANTITIES: [OverlaidQuantity; 17] = [
         "Speed of the tractors",
         "Of their mean point.",
         "m/s",
-        &["tractor_speed_m_s"],
+        &["tractor_speed_peak_m_s"],
     ),
     OverlaidQuantity::new(
         "tractor-travel",
@@ -78,7 +78,13 @@ const QUANTITIES: [OverlaidQuantity; 17] = [
         "m",
         &["tractor_travel_m"],
     ),
-    OverlaidQuantity::new("b-speed", "Speed of point B", "The middle of the web's bottom.", "m/s", &["B_speed_m_s"]),
+    OverlaidQuantity::new(
+        "b-speed",
+        "Speed of point B",
+        "The middle of the web's bottom.",
+        "m/s",
+        &["B_speed_peak_m_s"],
+    ),
     OverlaidQuantity::new("b-travel", "Travel of point B", "Along the launch axis.", "m", &["B_travel_m"]),
     OverlaidQuantity::new("centre-travel", "Travel of the centre", "Along the launch axis.", "m", &["centre_travel_m"]),
     OverlaidQuantity::new(
@@ -137,7 +143,8 @@ impl Overlay {
     pub(crate) fn add(&mut self, design: usize, results: &Results) {
         let Some(time) = results.column("time_s") else { return };
         for (index, quantity) in QUANTITIES.iter().enumerate() {
-            let Some(columns) = quantity.columns.iter().map(|name| results.column(name)).collect::<Option<Vec<_>>>()
+            let Some(columns) =
+                quantity.columns.iter().map(|name| results.peak_column(name)).collect::<Option<Vec<_>>>()
             else {
                 continue;
             };

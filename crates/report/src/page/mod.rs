@@ -33,7 +33,7 @@ pub(crate) fn html(results: &Results) -> String {
     fill(
         TEMPLATE,
         &[
-            ("title", escape(title)),
+            ("title", escape(&title)),
             ("style", format!("{STYLE}{}{}", replay::STYLE, page_style())),
             ("state", state(summary)),
             ("warnings", warnings(summary)),

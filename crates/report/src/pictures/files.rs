@@ -33,9 +33,9 @@ pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
         fs::write(&path, bytes).map_err(|source| ReportError::Write { path, source })
     };
     let sheets = [
-        ("postures", sheets::postures(&results, scene).svg(title)),
-        ("clouds", sheets::clouds(&results, scene).svg(title)),
-        ("stowed", sheets::stowed(&results, scene).svg(title)),
+        ("postures", sheets::postures(&results, scene).svg(&title)),
+        ("clouds", sheets::clouds(&results, scene).svg(&title)),
+        ("stowed", sheets::stowed(&results, scene).svg(&title)),
     ];
     let figures = figures(&results);
     let curves = figures.iter().map(|figure| (format!("curve_{}", figure.id), curves::svg(figure)));
@@ -43,7 +43,7 @@ pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
         write(format!("{name}.svg"), svg.as_bytes())?;
         write(format!("{name}.png"), &raster::png(&svg, ZOOM))?;
     }
-    write("animation.gif".into(), &animation::gif(scene, title))?;
+    write("animation.gif".into(), &animation::gif(scene, &title))?;
     new_pictures.swap_in()?;
     let pictures = result_dir.join(folder::PICTURES);
     Ok(names.into_iter().map(|name| pictures.join(name)).collect())

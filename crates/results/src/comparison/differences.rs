@@ -1,4 +1,4 @@
-//! What differs between the inputs of designs.
+//! Inputs that differ between designs.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -6,20 +6,20 @@ use serde_json::{Map, Value};
 use super::Entrant;
 use super::table::merged;
 
-/// What says which design it is, not how it is made.
+/// The input that names a design; it is not compared.
 const TITLE: &str = "title";
 
 /// An input that is not the same in all designs.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Difference {
-    /// Its path in the scenario.
+    /// Path in the scenario.
     pub path: String,
-    /// Its value in each design, as written; null where the design does not have it.
+    /// Value in each design, as written; null if the design does not have the input.
     pub values: Map<String, Value>,
 }
 
-/// Every input that differs, in the order of the scenarios.
+/// All inputs that differ, in the order of the scenarios.
 pub(super) fn differences(entrants: &[Entrant]) -> Vec<Difference> {
     let paths = merged(entrants.iter().map(|entrant| entrant.inputs.iter().map(|(path, _)| path.as_str())));
     let value = |entrant: &Entrant, path: &str| {
@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_differs_is_told_and_what_is_absent_is_null() {
+    fn only_differing_inputs_are_listed_and_a_missing_input_is_null() {
         let entrants = [
             entrant(
                 "a",

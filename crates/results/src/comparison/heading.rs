@@ -1,32 +1,34 @@
-//! A path of a summary as the comparison shows it: by its row of the table of quantities, or, for what a later version
-//! has added, under a name and a unit read off its key.
+//! Heading of a row of the comparison: name, unit and group of a path of the summary.
+//!
+//! They come from the table of quantities, or from the key itself for a path that is not in the table, such as one that
+//! a later version has added.
 
 use crate::quantities::{SECTIONS, quantity_at, split};
 use crate::quantity::Better::{self, Higher, Lower};
 
-/// What a path of `summary.json` is to a comparison.
+/// Name, unit and group of a path of `summary.json`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heading {
     /// The path, with dots: `tension.by_class.ring.max_n`.
     pub path: String,
-    /// In a designer's words.
+    /// Name for the reader.
     pub label: String,
-    /// Its unit, as a scenario writes it; empty for a plain number or a text.
+    /// Unit as a scenario writes it; empty for a plain number or a text.
     pub unit: &'static str,
-    /// What it is about.
+    /// Title of its section.
     pub group: String,
-    /// Whether it is one of those that a designer looks for first.
+    /// Whether a designer looks for it first.
     pub headline: bool,
-    /// What is wanted of it, where either is better as such.
+    /// Direction of better; none where neither direction is better.
     pub better: Option<Better>,
-    /// Whether the same inputs give the same value.
+    /// Whether equal inputs give equal values.
     pub reproducible: bool,
 }
 
-/// Sections of the table that stand after those that nobody foresaw.
+/// Sections that stand after those that are not in the table of quantities.
 const LAST: [&str; 3] = ["energy", "step", "wall_time_s"];
 
-/// Units of keys without a row in the table, by their end; the longest that fits counts.
+/// Units by the suffix of a key, for keys without a row in the table; the first that fits counts.
 const UNITS: [(&str, &str); 12] = [
     ("_kg_m3", "kg/m^3"),
     ("_m_s2", "m/s^2"),
@@ -42,12 +44,12 @@ const UNITS: [(&str, &str); 12] = [
     ("_s", "s"),
 ];
 
-/// What is wanted of a number without a row in the table, by what its key says.
-const WANTED: [(&str, Better); 5] =
+/// Directions of better by a word in the key, for keys without a row in the table.
+const BETTER_BY_WORD: [(&str, Better); 5] =
     [("margin", Higher), ("coverage", Higher), ("utilisation", Lower), ("tilt", Lower), ("asymmetry", Lower)];
 
 impl Heading {
-    /// Of a path of the summary.
+    /// Heading of a path of the summary.
     pub fn of(path: &str) -> Self {
         let keys = split(path);
         let section = SECTIONS.iter().find(|section| section.key == keys[0]);
@@ -67,28 +69,27 @@ impl Heading {
         words.push(stem);
         let label = words.join(", ").replace('_', " ");
         let unit = suffix.map_or("", |(_, unit)| unit);
-        let better = WANTED.iter().find(|(word, _)| last.contains(word)).map(|(_, better)| *better);
+        let better = BETTER_BY_WORD.iter().find(|(word, _)| last.contains(word)).map(|(_, better)| *better);
         Self { path, label, unit, group, headline: false, better, reproducible }
     }
 
-    /// Its group's place in the table.
+    /// Sort key: place of its section in the table of the comparison.
     pub(super) fn rank(&self) -> (usize, String) {
         let section = split(&self.path).swap_remove(0);
         match SECTIONS.iter().position(|known| known.key == section) {
             Some(place) => (2 * place, String::new()),
-            // sections that nobody foresaw stay together
+            // sections outside the table of quantities, sorted by key, stand before the last ones
             None => (2 * (SECTIONS.len() - LAST.len()) - 1, section),
         }
     }
 }
 
-/// A point, a class or a channel as one speaks of it.
+/// Name of a point, a link class or a channel as it reads in a sentence.
 fn spoken(name: &str) -> String {
     match name {
         "tractor" => "the tractors".into(),
         "corner" => "the corners".into(),
         "centre" => "the centre".into(),
-        // a feature point
         letter if letter.len() == 1 => format!("point {letter}"),
         other => other.replace('_', " "),
     }
@@ -105,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_and_units_follow_from_the_path() {
+    fn label_and_unit_follow_from_the_path() {
         let told = |path: &str| {
             let heading = Heading::of(path);
             (heading.label, heading.unit, heading.better)
@@ -119,20 +120,20 @@ mod tests {
         );
         assert_eq!(told("energy.channels.mass_damping"), ("Energy at the end, mass damping".into(), "J", None));
         assert_eq!(told("points.\"knot.3\".peak_travel_m"), ("Peak travel of knot.3".into(), "m", None));
-        // nobody foresaw these
+        // not in the table of quantities
         assert_eq!(told("capture.of_target.coverage_mean"), ("of target, coverage mean".into(), "", Some(Higher)));
         assert_eq!(told("capture.closing_speed_m_s"), ("closing speed".into(), "m/s", None));
     }
 
     #[test]
-    fn groups_stand_in_the_order_of_a_designers_interest() {
+    fn groups_stand_in_the_order_of_the_sections() {
         let mut paths = ["wall_time_s", "model.nodes", "gust.peak_m_s", "opening.area_max_m2", "tension.max_n"];
         paths.sort_by_key(|path| Heading::of(path).rank());
         assert_eq!(paths, ["opening.area_max_m2", "tension.max_n", "model.nodes", "gust.peak_m_s", "wall_time_s"]);
     }
 
     #[test]
-    fn what_nobody_foresaw_stands_before_the_last_sections() {
+    fn the_last_sections_end_the_table_of_quantities() {
         let last = &SECTIONS[SECTIONS.len() - LAST.len()..];
         assert!(last.iter().zip(LAST).all(|(section, key)| section.key == key));
     }

@@ -1,13 +1,13 @@
-//! Designs side by side: what differs in their inputs, and one table of what came out.
+//! Comparison of designs: the differences of their inputs, and one table of their results.
 //!
 //! ```text
-//!  inputs of each design  ──differences──▶ what was made or thrown otherwise ─┐
-//!  summary of each design ──table────────▶ a row a quantity, its best marked  ├─▶ Comparison ─▶ summary.json,
-//!  numbers known elsewhere ──────────────▶ columns beside them                ─┘                 summary.csv
+//!  inputs of each design  ──differences──▶ inputs that differ                  ─┐
+//!  summary of each design ──table────────▶ a row for each quantity, best marked ├─▶ Comparison ─▶ summary.json,
+//!  reported numbers ─────────────────────▶ a column for each design with any   ─┘                 summary.csv
 //! ```
 //!
-//! The table takes every number of the summaries, under the same names: a number that a later version adds is compared
-//! without a line here. The table of quantities says which of them a net designer wants large or small.
+//! The table has every number of the summaries under its path, also a number that a later version adds. The table of
+//! quantities gives the direction in which each is better.
 
 mod differences;
 mod heading;
@@ -26,29 +26,29 @@ use crate::summary::SummaryFile;
 pub use differences::Difference;
 pub use table::Row;
 
-/// A design as it comes to the comparison.
+/// A design to be compared: its name, results and inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entrant {
-    /// What it is called; unlike the others' names.
+    /// Name, different from those of the others.
     pub name: String,
-    /// Its `summary.json`.
+    /// The `summary.json` of its run.
     pub summary: SummaryFile,
-    /// Its scenario as resolved: dotted paths with their values as written.
+    /// Resolved scenario: dotted paths with their values as written.
     pub inputs: Vec<(String, Value)>,
-    /// Why its run failed.
+    /// Why its run failed; none if it did not.
     pub failure: Option<String>,
 }
 
-/// Numbers known from elsewhere: a paper, a test, another program.
+/// Reported numbers: from a paper, a test or another program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Reported {
-    /// Where they come from.
+    /// Source of the numbers.
     pub source: String,
-    /// Each one.
+    /// The numbers.
     pub values: Vec<ReportedValue>,
 }
 
-/// One number known from elsewhere.
+/// One reported number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReportedValue {
     /// Name of the design.
@@ -59,7 +59,7 @@ pub struct ReportedValue {
     pub value: Value,
 }
 
-/// Designs side by side; fields stand in the order of the file.
+/// The comparison of some designs; fields have the order of the file.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Comparison {
@@ -69,13 +69,13 @@ pub struct Comparison {
     pub netcast: String,
     /// Whether every design was run to its end and closed its energy balance as asked.
     pub finished: bool,
-    /// The designs, in the order they were named.
+    /// The designs, in the order in which the user named them.
     pub designs: Vec<Design>,
-    /// Where the reported numbers come from.
+    /// Source of the reported numbers; none without such numbers.
     pub reported: Option<String>,
-    /// What differs in their inputs.
+    /// Inputs that differ.
     pub differences: Vec<Difference>,
-    /// What came out.
+    /// Results: a row for each quantity.
     pub table: Vec<Row>,
 }
 
@@ -83,17 +83,17 @@ pub struct Comparison {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Design {
-    /// What it is called in the table.
+    /// Name in the table.
     pub name: String,
-    /// Its scenario's title.
+    /// Title of its scenario.
     pub title: String,
-    /// Its result folder, relative to the comparison's.
+    /// Its result folder, relative to that of the comparison.
     pub folder: String,
     /// Whether its run reached its end.
     pub finished: bool,
-    /// Why its run failed. Such a design is shown as far as it came; it is never the best.
+    /// Why its run failed; none if it did not. A failed design is shown but is never the best.
     pub failure: Option<String>,
-    /// What the reader should know before trusting its numbers.
+    /// Sentences that a reader needs before trusting its numbers.
     pub warnings: Vec<String>,
 }
 
@@ -110,14 +110,14 @@ impl Design {
         }
     }
 
-    /// Whether its numbers are those of a whole run.
+    /// Whether its run reached its end and did not fail.
     pub fn is_sound(&self) -> bool {
         self.finished && self.failure.is_none()
     }
 }
 
 impl Comparison {
-    /// Compares designs, with the numbers reported of them where there are any.
+    /// Compares designs with each other and with reported numbers.
     pub fn of(entrants: &[Entrant], reported: Option<&Reported>) -> Self {
         let designs: Vec<Design> = entrants.iter().map(Design::of).collect();
         let names: Vec<&str> = entrants.iter().map(|entrant| &entrant.name[..]).collect();
@@ -132,7 +132,7 @@ impl Comparison {
         }
     }
 
-    /// The comparison as JSON text, with a newline at its end.
+    /// The comparison as JSON text with a final newline.
     pub fn to_json(&self) -> String {
         let mut text = serde_json::to_string_pretty(self).expect("string keys and plain data");
         text.push('\n');
@@ -147,11 +147,11 @@ impl Comparison {
         fs::write(path, self.to_json()).map_err(ResultError::write(path))
     }
 
-    /// Writes the table to `path` as CSV: quantity, unit, a column a design, then a column for each design that
-    /// anything is reported of. An empty cell: none.
+    /// Writes the table to `path` as CSV: quantity, unit, a column for each design, then a column for each design with
+    /// reported numbers. A cell without a value is empty.
     ///
     /// # Errors
-    /// [`ResultError::Csv`] where the file cannot be written.
+    /// [`ResultError::Csv`] or [`ResultError::Write`] if the file cannot be written.
     pub fn write_csv(&self, path: &Path) -> Result<(), ResultError> {
         let names = || self.designs.iter().map(|design| &design.name);
         let reported: Vec<&String> =
@@ -171,6 +171,7 @@ impl Comparison {
     }
 }
 
+/// Text of the cell of a design; empty without a value.
 fn cell(values: &Map<String, Value>, design: &str) -> String {
     match values.get(design) {
         Some(Value::String(text)) => text.clone(),
@@ -180,7 +181,7 @@ fn cell(values: &Map<String, Value>, design: &str) -> String {
     }
 }
 
-/// `a, b and c`.
+/// The names as a phrase: `a, b and c`.
 fn phrase(names: &[&str]) -> String {
     match names {
         [] => String::new(),
@@ -213,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn a_design_that_failed_is_shown_and_marked_and_never_the_best() {
+    fn a_failed_design_is_shown_and_is_never_the_best() {
         let comparison = Comparison::of(&three(), None);
         assert!(!comparison.finished);
         assert_eq!(comparison.title, "coarse, fine and torn");
@@ -221,7 +222,7 @@ mod tests {
         assert_eq!(comparison.table[0].values["torn"], json!(90.0));
         assert_eq!(comparison.table[0].best, ["fine"]);
 
-        // a run that reached its end but missed its energy balance is no better
+        // a run that reached its end but missed its energy balance counts as failed
         let mut unbalanced = three();
         unbalanced[1].failure = Some("the energy balance misses its tolerance".into());
         unbalanced[2].summary.summary.finished = true;
@@ -229,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_is_csv_too() {
+    fn the_csv_has_a_column_for_each_design_and_its_reported_numbers() {
         let known = ReportedValue { design: "fine".into(), quantity: "opening.area_max_m2".into(), value: json!(20) };
         let reported = Reported { source: "a test".into(), values: vec![known] };
         let mut entrants = three();
@@ -248,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn json_has_what_a_script_reads() {
+    fn the_json_has_its_promised_keys() {
         let value: Value = serde_json::from_str(&Comparison::of(&three(), None).to_json()).unwrap();
         let keys: Vec<&String> = value.as_object().unwrap().keys().collect();
         assert_eq!(keys, ["title", "netcast", "finished", "designs", "reported", "differences", "table"]);

@@ -1,4 +1,4 @@
-//! One table of what came out: a row a quantity, a column a design.
+//! Table of results: a row for each quantity, a column for each design.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -8,44 +8,44 @@ use super::{Design, Entrant, Reported};
 use crate::quantities::leaves;
 use crate::quantity::Better;
 
-/// Values that differ by less, relative to the larger, are equal: less than any two machines' sums may differ by.
-const TIE: f64 = 1e-9;
+/// Values whose relative difference is at most this are equal. Their sums may differ by that much between machines.
+const EQUAL_WITHIN: f64 = 1e-9;
 
-/// A quantity of all designs.
+/// One quantity of all designs.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Row {
-    /// Its path in `summary.json`.
+    /// Path in `summary.json`.
     pub quantity: String,
-    /// In a designer's words.
+    /// Name for the reader.
     pub label: String,
-    /// Its unit; empty for a plain number or a text.
+    /// Unit; empty for a plain number or a text.
     pub unit: String,
-    /// What it is about; rows of one group stand together.
+    /// Title of its section; rows of one group stand together.
     pub group: String,
-    /// Whether it is one of those that a designer looks for first.
+    /// Whether a designer looks for it first.
     pub headline: bool,
-    /// What a net designer wants of it; null where neither is better as such.
+    /// Direction of better; null where neither direction is better.
     pub better: Option<Better>,
-    /// Whether the same inputs give the same value; time on the clock does not.
+    /// Whether equal inputs give equal values; false for time on the clock.
     pub reproducible: bool,
-    /// Its value in each design: a number, a text, or null where the design has no such thing.
+    /// Value in each design: a number, a text, or null if the design does not have the quantity.
     pub values: Map<String, Value>,
-    /// The designs with the best value, ties included. Empty where nothing is better, where fewer than two whole runs
-    /// have a value, and where all are equal.
+    /// All designs with the best value. Empty where neither direction is better, where fewer than two sound runs have a
+    /// value, and where all values are equal.
     pub best: Vec<String>,
-    /// What is known of it from elsewhere, by design.
+    /// Reported values, by design.
     pub reported: Map<String, Value>,
-    /// The design's value less the reported one, in percent of the reported one; by design, where both are numbers.
+    /// Value less reported value, in percent of the magnitude of the reported value; by design, where both are numbers.
     pub deviation_percent: Map<String, Value>,
 }
 
-/// All rows that any design has a value for, group by group.
+/// The rows for which any design has a value, group by group.
 pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&Reported>) -> Vec<Row> {
     let leaves: Vec<Vec<(String, &Value)>> = entrants.iter().map(|entrant| leaves(&entrant.summary.values)).collect();
     let paths = merged(leaves.iter().map(|leaves| leaves.iter().map(|(path, _)| path.as_str())));
     let mut headings: Vec<Heading> = paths.into_iter().map(Heading::of).collect();
-    // stable: within a group they stand as in the summary
+    // a stable sort keeps the order of the summary within a group
     headings.sort_by_key(Heading::rank);
     let row = |heading: Heading| {
         let value = |leaves: &Vec<(String, &Value)>| {
@@ -79,6 +79,7 @@ pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&
     headings.into_iter().filter_map(row).collect()
 }
 
+/// The sound designs with the best value; see [`Row::best`].
 fn best(better: Better, designs: &[Design], values: &Map<String, Value>) -> Vec<String> {
     let competing: Vec<(&str, f64)> = designs
         .iter()
@@ -90,24 +91,25 @@ fn best(better: Better, designs: &[Design], values: &Map<String, Value>) -> Vec<
         Better::Higher => f64::max,
     };
     let Some(extreme) = competing.iter().map(|(_, value)| *value).reduce(pick) else { return Vec::new() };
-    let equal = |value: f64| (value - extreme).abs() <= TIE * value.abs().max(extreme.abs());
+    let equal = |value: f64| (value - extreme).abs() <= EQUAL_WITHIN * value.abs().max(extreme.abs());
     let best: Vec<String> =
         competing.iter().filter(|(_, value)| equal(*value)).map(|(name, _)| (*name).to_owned()).collect();
-    // what every design has alike tells none from another
+    // a value that all designs share distinguishes none of them
     if best.len() == competing.len() { Vec::new() } else { best }
 }
 
+/// Deviations from reported values, in percent; see [`Row::deviation_percent`].
 fn deviations(values: &Map<String, Value>, reported: &Map<String, Value>) -> Map<String, Value> {
     let deviation = |(name, known): (&String, &Value)| {
         let (value, known) = (values.get(name)?.as_f64()?, known.as_f64()?);
-        // of a reported zero nothing is a percentage
+        // a reported zero has no percentage
         (known != 0.0).then(|| (name.clone(), Value::from(100.0 * (value - known) / known.abs())))
     };
     reported.iter().filter_map(deviation).collect()
 }
 
-/// The keys of several lists, each once. A key that earlier lists lack stands before what follows it in its own list,
-/// or else after what precedes it there.
+/// The keys of several lists, each once. A key that earlier lists lack is inserted before the first known key that
+/// follows it in its own list, or else after the key that precedes it there.
 pub(super) fn merged<'k>(lists: impl IntoIterator<Item = impl Iterator<Item = &'k str>>) -> Vec<&'k str> {
     let mut merged: Vec<&str> = Vec::new();
     for list in lists {
@@ -187,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn nulls_do_not_compete_and_a_row_of_nulls_is_left_out() {
+    fn a_null_is_never_best_and_a_row_of_nulls_is_left_out() {
         let rows = rows(
             &[
                 ("a", json!({"tension": {"bottom_max_n": null, "max_n": 5.0, "by_class": {"ring": {"max_n": 4.0}}}})),
@@ -199,18 +201,18 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!(row(&rows, "tension.max_n").best, ["c"]);
         assert_eq!(Value::Object(row(&rows, "tension.max_n").values.clone()), json!({"a": 5.0, "b": null, "c": 3.0}));
-        // alone is not best
+        // a single value is not best
         assert_eq!(row(&rows, "tension.by_class.ring.max_n").best, Vec::<String>::new());
     }
 
     #[test]
-    fn what_all_have_alike_has_no_best() {
+    fn equal_values_have_no_best() {
         let summary = json!({"model": {"tractor_mass_kg": 166.8}});
         assert!(rows(&[("a", summary.clone()), ("b", summary)], &[])[0].best.is_empty());
     }
 
     #[test]
-    fn reported_numbers_stand_beside_with_their_deviation() {
+    fn reported_numbers_are_listed_with_the_deviation_from_them() {
         let summary = json!({"opening": {"area_max_time_s": 0.132, "area_max_m2": null},
                              "points": {"B": {"starts_s": -2}},
                              "tension": {"max_where": "outline", "max_n": 10.0}});
@@ -226,7 +228,7 @@ mod tests {
         let time = row(&rows, "opening.area_max_time_s");
         assert!((time.deviation_percent["a"].as_f64().unwrap() - 10.0).abs() < 1e-9);
         assert!(!time.deviation_percent.contains_key("b"));
-        // above a negative number is above it
+        // less negative than reported is a positive deviation
         assert_eq!(row(&rows, "points.B.starts_s").deviation_percent["b"], json!(50.0));
         let place = row(&rows, "tension.max_where");
         assert_eq!((&place.reported["a"], place.deviation_percent.len()), (&json!("traction"), 0));
@@ -234,13 +236,13 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_nobody_foresaw_is_compared_too() {
+    fn a_number_outside_the_table_of_quantities_is_compared_too() {
         let rows = rows(&[("a", json!({"wind": {"gust": {"peak_m_s": 3.5}}})), ("b", json!({}))], &[]);
         assert_eq!((&rows[0].label[..], &rows[0].unit[..], &rows[0].group[..]), ("gust, peak", "m/s", "Wind"));
     }
 
     #[test]
-    fn keys_stand_beside_their_neighbours() {
+    fn merged_lists_put_new_keys_beside_their_neighbours() {
         let lists = [vec!["a", "b", "d"], vec!["a", "c", "d", "e"], vec!["z", "a"]];
         assert_eq!(merged(lists.iter().map(|list| list.iter().copied())), ["z", "a", "b", "c", "d", "e"]);
     }

@@ -20,7 +20,7 @@ pub struct FlightMeasures {
 }
 
 impl FlightMeasures {
-    /// Where it is, m, at a record time, s, and whether anything touches the ground; times ascend.
+    /// Where it is, m, at a check, s, and whether anything touches the ground; times ascend.
     pub fn add(&mut self, time: f64, place: DVec3, touches: bool) {
         if place.is_finite() {
             self.places.push((time, place, touches));

@@ -1,20 +1,24 @@
-//! What is measured of a run: at every step, or at record times where it takes the whole web. At the end each measure
+//! What is measured of a run: at every step, or at checks where it takes the whole web. None of it depends on what is
+//! recorded. At the end each measure
 //! writes what it found into the summary.
 //!
 //! ```text
 //!  steps     areas, points, tensions, posture                    every step
 //!  cloth     stress of sheets                                    every step
-//!  records   silhouette, mouth, target, flight                   record times
-//!  ropes     least and mean tension of each kind of rope         record times
+//!  moments   the net at the highest tension, the largest area    the steps where they are
+//!  records   silhouette, mouth, target, flight                   checks
+//!  ropes     least and mean tension of each kind of rope         checks
 //! ```
 
 mod cloth;
 mod flight;
+mod moments;
 mod mouth;
 mod peak;
 pub(crate) mod records;
 mod ropes;
 mod silhouette;
+mod since_record;
 mod spell;
 mod steps;
 
@@ -27,9 +31,11 @@ use crate::landmarks::Landmarks;
 use crate::summary::{EnergyBalance, Summary};
 
 use cloth::ClothMeasures;
+use moments::{Moments, rope_tension};
 use records::RecordMeasures;
 use ropes::RopeMeasures;
 
+pub(crate) use moments::{KeptFrame, MomentFrames};
 pub(crate) use records::WebState;
 pub use steps::OPEN_SHARE;
 pub(crate) use steps::StepMeasures;
@@ -56,9 +62,10 @@ pub struct Measures {
     at_records: RecordMeasures,
     ropes: RopeMeasures,
     cloth: ClothMeasures,
+    moments: Moments,
     /// Records so far.
     pub(crate) rows: u64,
-    /// The time of the last one, s.
+    /// The time of the last record or check, s.
     pub(crate) last_time: f64,
     last_residual: f64,
 }
@@ -71,6 +78,7 @@ impl Measures {
             at_records: RecordMeasures::new(&of.web_mass, reference),
             ropes: RopeMeasures::new(of.landmarks.ropes.len()),
             cloth: ClothMeasures::default(),
+            moments: Moments::default(),
             rows: 0,
             last_time: 0.0,
             last_residual: 0.0,
@@ -82,38 +90,63 @@ impl Measures {
         self.at_steps.fit(landmarks) && self.ropes.fit(landmarks)
     }
 
-    /// Takes a step into account.
-    pub(crate) fn step(&mut self, of: &Measured, live: &Live) {
+    /// Takes a step into account. Returns whether the net that it leads to is one of the moments that are kept.
+    pub(crate) fn step(&mut self, of: &Measured, live: &Live) -> bool {
         self.at_steps.step(&of.landmarks, live);
         self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
+        let now = self.at_steps.glance(&of.landmarks);
+        let wanted = self.moments.wants(&now);
+        self.moments.step(now);
+        wanted
     }
 
-    /// Takes a record into account; the web as it is there.
-    pub(crate) fn record(&mut self, of: &Measured, frame: &Frame) -> WebState {
+    /// Keeps the net at a moment.
+    pub(crate) fn keep(&mut self, of: &Measured, frame: &Frame) {
+        let area = of.landmarks.outline_area(|node| frame.position[node]);
+        let area = area.map(|area| area.dot(of.landmarks.axis).abs());
+        let is_open = self.at_steps.glance(&of.landmarks).is_open;
+        self.moments.keep(frame, rope_tension(of, frame.tension), area, is_open);
+    }
+
+    /// Takes a check into account.
+    pub(crate) fn check(&mut self, of: &Measured, frame: &Frame) {
         let landmarks = &of.landmarks;
         let touches = frame.ledger[Channel::Ground] > 0.0;
-        let web = self.at_records.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
+        self.at_records.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
         self.ropes.add(landmarks, frame.tension, &of.groups);
         let group_of = |segment: usize| of.groups[segment];
-        self.at_steps.ends(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
-        web
+        self.at_steps.check(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
+        self.last_residual = frame.residual;
+        self.last_time = frame.time;
     }
 
-    /// Counts a record that has been taken into account and written.
-    pub(crate) fn recorded(&mut self, frame: &Frame) {
+    /// The web as a whole at a record.
+    pub(crate) fn web(&self, of: &Measured, frame: &Frame) -> WebState {
+        self.at_records.web(&of.landmarks, &of.web_mass, frame.position)
+    }
+
+    /// Counts a record that has been written.
+    pub(crate) fn recorded(&mut self, of: &Measured, frame: &Frame) {
+        self.at_steps.recorded(&of.landmarks);
         self.rows += 1;
         self.last_time = frame.time;
-        self.last_residual = frame.residual;
+    }
+
+    /// The frames of the moments so far.
+    pub(crate) fn moments(&self) -> MomentFrames<'_> {
+        self.moments.finish(self.last_time)
     }
 
     /// The sections of the summary that are measured; the others are left open. `tolerance` is what the balance was
     /// asked to reach, closure and closure of the web.
     pub(crate) fn finish(self, of: &Measured, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
-        let Self { at_steps, at_records, ropes, cloth, rows: _, last_time: _, last_residual } = self;
+        let places = self.at_records.places(&of.landmarks, &of.web_mass, &self.moments());
+        let Self { at_steps, at_records, ropes, cloth, moments: _, rows: _, last_time: _, last_residual } = self;
         let landmarks = &of.landmarks;
         let mut summary = Summary::default();
         ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope), &mut summary);
         summary.canopies = cloth.finish(&of.membranes, landmarks);
+        summary.places = places;
         at_records.finish(landmarks, &mut summary);
         at_steps.finish(landmarks, &mut summary);
         let (ledger, balance) = (outcome.ledger, outcome.balance);

@@ -1,9 +1,10 @@
-//! What is measured at record times only, because it takes the whole web: the silhouette, the mouth, the flight.
+//! What is measured at checks only, because it takes the whole web: the silhouette, the mouth, the flight.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::flight::FlightMeasures;
+use super::moments::{KeptFrame, MomentFrames};
 use super::mouth::MouthStance;
 use super::peak::Peak;
 use super::silhouette::{Projection, Silhouette};
@@ -13,12 +14,12 @@ use crate::column::{Column, ColumnOf};
 use crate::geometry::mean;
 use crate::landmarks::Landmarks;
 use crate::quantity::Dimension::{Angle, Area, Length, Share};
-use crate::summary::{Mouth, Summary, TargetCoverage};
+use crate::summary::{Mouth, Place, Places, Summary, TargetCoverage};
 
 /// The share of the target from which it counts as covered.
 const COVERED: f64 = 0.99;
 
-/// The web at one record time. What the scenario does not have is none.
+/// The web at one time. What the scenario does not have is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WebState {
     shadow_area: Option<f64>,
@@ -56,7 +57,7 @@ pub(crate) const COLUMNS: &[ColumnOf<WebState>] = &[
     }),
 ];
 
-/// Takes the records of a run in.
+/// Takes the checks of a run in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RecordMeasures {
     /// The centre of mass at time 0, m.
@@ -87,16 +88,17 @@ impl RecordMeasures {
         }
     }
 
-    /// Measures the web at a record time; `mass` is that of each node, kg, and zero for tractors.
+    /// Takes the web at a check in; `mass` is that of each node, kg, and zero for tractors.
     /// `touches` tells whether anything touches the ground.
-    pub fn add(
-        &mut self,
-        landmarks: &Landmarks,
-        mass: &[f64],
-        time: f64,
-        position: &[DVec3],
-        touches: bool,
-    ) -> WebState {
+    pub fn add(&mut self, landmarks: &Landmarks, mass: &[f64], time: f64, position: &[DVec3], touches: bool) {
+        let web = self.web(landmarks, mass, position);
+        self.flight.add(time, mass_centre(mass, position), touches);
+        let area = landmarks.outline_area(|node| position[node]);
+        self.follow(landmarks, time, &web, area.map(|area| area.dot(landmarks.axis).abs()));
+    }
+
+    /// The web at `position`s, m, (nodes,).
+    pub fn web(&self, landmarks: &Landmarks, mass: &[f64], position: &[DVec3]) -> WebState {
         let at = |node: usize| position[node];
         let projection = Projection::along(landmarks.axis);
         let silhouette = Silhouette::new(&projection, &landmarks.cells, at);
@@ -105,17 +107,36 @@ impl RecordMeasures {
             .zip(landmarks.target_diameter)
             .map(|(silhouette, diameter)| silhouette.coverage(projection.of(middle_of(landmarks, at)), diameter));
         let mass_centre = mass_centre(mass, position);
-        let web = WebState {
+        WebState {
             shadow_area: silhouette.map(|silhouette| silhouette.area()),
             target_coverage: coverage,
             mouth: MouthStance::new(landmarks, at),
             posture: landmarks.posture(at),
             mass_centre_travel: (mass_centre - self.start).dot(landmarks.axis),
             mass_centre_height: mass_centre.z,
+        }
+    }
+
+    /// Where the web's centre of mass is at the moments of a run, and how fast.
+    pub fn places(&self, landmarks: &Landmarks, mass: &[f64], moments: &MomentFrames) -> Places {
+        // a web without mass has no centre of mass
+        let number = |value: f64| value.is_finite().then_some(value);
+        let place = |frame: &KeptFrame| {
+            let centre = mass_centre(mass, &frame.position);
+            let over_ground = (centre - self.start).truncate();
+            let heading = landmarks.axis.truncate().try_normalize();
+            Place {
+                time_s: Some(frame.time),
+                travel_m: number((centre - self.start).dot(landmarks.axis)),
+                ground_distance_m: number(over_ground.length()),
+                cross_range_m: heading.and_then(|heading| number(heading.perp_dot(over_ground))),
+                height_m: number(centre.z),
+                speed_m_s: number(mass_centre(mass, &frame.velocity).length()),
+            }
         };
-        self.flight.add(time, mass_centre, touches);
-        self.follow(landmarks, time, &web, landmarks.outline_area(at).map(|s| s.dot(landmarks.axis).abs()));
-        web
+        let moments = [moments.opens, moments.closes, moments.area_max];
+        let [opening, closing, largest_area] = moments.map(|frame| frame.map(place).unwrap_or_default());
+        Places { opening, closing, largest_area }
     }
 
     fn follow(&mut self, landmarks: &Landmarks, time: f64, web: &WebState, area: Option<f64>) {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::landmarks::Landmarks;
 use crate::summary::{RopeUse, Summary};
 
-/// Tensions of each kind of rope at record times.
+/// Tensions of each kind of rope at checks.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RopeMeasures {
     /// Smallest, sum and number of tensions, by rope.
@@ -26,7 +26,7 @@ impl RopeMeasures {
         self.kinds.len() == landmarks.ropes.len()
     }
 
-    /// The tensions of all segments at a record time, N, with the group of each; those that are gone have none.
+    /// The tensions of all segments at a check, N, with the group of each; those that are gone have none.
     pub fn add(&mut self, landmarks: &Landmarks, tension: &[f64], groups: &[usize]) {
         for (&tension, &group) in tension.iter().zip(groups).filter(|(tension, _)| tension.is_finite()) {
             if let Some(rope) = landmarks.groups[group].rope {

@@ -35,6 +35,11 @@ impl Spells {
         self.last = Some((time, value));
     }
 
+    /// Whether a spell goes on.
+    pub fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
     /// Start of the first spell, s.
     pub fn first(&self) -> Option<f64> {
         self.first

@@ -7,8 +7,10 @@ use glam::DVec3;
 use netcast_dynamics::simulate::Live;
 use serde::{Deserialize, Serialize};
 
+use super::moments::Glance;
 use super::peak::Peak;
 use super::ropes::LargestTension;
+use super::since_record::SinceRecord;
 use super::spell::Spells;
 use crate::geometry::mean;
 use crate::landmarks::{Group, Landmarks};
@@ -44,7 +46,11 @@ pub struct StepMeasures {
     concave: Spells,
     convex: Spells,
     groups: Vec<Peak>,
+    /// Highest tension of each group at the last step, N.
     largest: Vec<f64>,
+    /// Outline area along the axis at the last step, m^2.
+    area_now: Option<f64>,
+    since_record: SinceRecord,
     bottom: Peak,
     /// Integral of the mean bottom tension over time, N s, and its value when the area was largest.
     bottom_integral: f64,
@@ -77,6 +83,8 @@ impl StepMeasures {
             convex: Spells::default(),
             groups,
             largest,
+            area_now: None,
+            since_record: SinceRecord::new(landmarks),
             bottom: Peak::default(),
             bottom_integral: 0.0,
             bottom_integral_at_area_max: 0.0,
@@ -102,18 +110,40 @@ impl StepMeasures {
         for (peak, &tension) in self.groups.iter_mut().zip(&self.largest) {
             peak.add(live.tension_time, tension);
         }
+        self.since_record.add_tensions(landmarks, &self.largest, live);
         if !landmarks.bottom.is_empty() {
             let tension = |segment: usize| (!live.net.is_gone(segment)).then(|| live.net.tension(segment));
             self.bottom(&landmarks.bottom, live.tension_time, live.dt, &tension);
         }
-        for (point, landmark) in self.points.iter_mut().zip(&landmarks.points) {
-            point.speed.add(live.velocity_time, landmark.speed(|n| live.net.half_step_velocity(n)));
+        let speeds = &mut self.since_record.point_speed;
+        for ((point, landmark), peak) in self.points.iter_mut().zip(&landmarks.points).zip(speeds) {
+            let speed = landmark.speed(|n| live.net.half_step_velocity(n));
+            point.speed.add(live.velocity_time, speed);
+            *peak = peak.max(speed);
         }
         self.shape(landmarks, live.position_time, |node| live.net.position(node));
     }
 
-    /// Takes the state at launch or at the end into account, of which [`StepMeasures::step`] sees only a part.
-    pub fn ends(
+    /// What moments go by, after a step.
+    pub fn glance(&self, landmarks: &Landmarks) -> Glance {
+        let is_rope = |group: &Group| landmarks.classes[group.class].is_rope;
+        let ropes = landmarks.groups.iter().zip(&self.largest).filter(|(group, _)| is_rope(group));
+        let tension = ropes.map(|(_, &tension)| tension).fold(0.0, f64::max);
+        Glance { tension, area: self.area_now, is_open: self.effective.is_open() }
+    }
+
+    /// The largest values since the record before.
+    pub fn since_record(&self) -> &SinceRecord {
+        &self.since_record
+    }
+
+    /// Begins to look for largest values anew, after a record.
+    pub fn recorded(&mut self, landmarks: &Landmarks) {
+        self.since_record = SinceRecord::new(landmarks);
+    }
+
+    /// Takes the state at a check into account, of which [`StepMeasures::step`] sees only a part: the start and the end.
+    pub fn check(
         &mut self,
         landmarks: &Landmarks,
         time: f64,
@@ -146,6 +176,7 @@ impl StepMeasures {
         if !landmarks.outline.is_empty() {
             let (area, rim) = landmarks.outline_area_and_middle(position);
             let along = area.dot(axis).abs();
+            self.area_now = Some(along);
             if self.area.add(time, along) {
                 self.bottom_integral_at_area_max = self.bottom_integral;
             }

@@ -1,4 +1,4 @@
-//! What was computed: the size of the model, the step, the energy balance.
+//! Size of the model, time step and energy balance.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ section! {
         nodes: usize => "Nodes", Count;
         /// Number of rope segments.
         segments: usize => "Segments", Count;
-        /// Length of all ropes at rest.
+        /// Total rest length of all ropes.
         rope_length_m: f64 => "Rope length", Length, lower, headline;
         /// Mass of the web with its traction ropes, canopies and payloads, without tractors.
         web_mass_kg: f64 => "Mass of the web", Mass, lower, headline;
@@ -23,22 +23,22 @@ section! {
 }
 
 section! {
-    /// The time step and what holds it down.
+    /// The time step and what limits it.
     StepSize, "step" {
         /// Step size.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         dt_s: f64 => "Time step", Duration;
         /// Steps taken.
         count: u64 => "Steps", Count;
-        /// The stiffest or lightest place of the model.
+        /// The part of the model that limits the time step: its stiffest or lightest.
         limited_by: Option<String> => "Time step limited by", Text;
-        /// What would allow a larger one.
+        /// A change that would allow a larger time step.
         lifted_by: Option<String> => "Time step larger with", Text;
     }
 }
 
 section! {
-    /// The energy balance at the end of the run. What a file does not tell is read as not a number.
+    /// The energy balance at the end of the run. A number that a file lacks is read as NaN.
     EnergyBalance, "energy" {
         /// Total energy at the start.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
@@ -46,23 +46,23 @@ section! {
         /// Total energy at the end.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         final_j: f64 => "Total energy at the end", Energy;
-        /// |residual| over the largest total energy of the run.
+        /// Largest |residual| over the largest total energy of the run.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         closure: f64 => "Energy balance closes to", Share;
-        /// |residual| over the largest elastic and kinetic energy of everything but the tractors.
+        /// Largest |residual| over the largest elastic and kinetic energy of everything but the tractors.
         closure_web: Option<f64> => "Energy balance of the web closes to", Share;
-        /// Each channel of the energy, integrated in its own right.
+        /// Energy of each channel, integrated by itself and not found by difference.
         channels: BTreeMap<String, f64> => "Energy at the end, {}", Energy, by_name;
-        /// What the channels leave unexplained at the end.
+        /// Residual of the energy balance at the end: the energy that the channels do not account for.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         residual_j: f64 => "Energy residual", Energy;
-        /// The largest residual at any record time, by which the balance closes.
+        /// Largest residual at any check, from which the closure follows.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         largest_residual_j: f64 => "Largest energy residual", Energy, not_in_table;
-        /// What the energy balance was asked to close to.
+        /// Largest closure that the scenario allows.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         tolerance: f64 => "Energy balance asked to close to", Share, not_in_table;
-        /// What the energy balance of the web was asked to close to.
+        /// Largest closure of the web that the scenario allows.
         #[serde(default = "super::unknown", deserialize_with = "super::number_or_unknown")]
         tolerance_web: f64 => "Energy balance of the web asked to close to", Share, not_in_table;
     }

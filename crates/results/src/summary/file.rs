@@ -1,4 +1,4 @@
-//! A summary as its file has it.
+//! A summary read from its file, with keys that this version does not know.
 
 use std::path::Path;
 
@@ -7,17 +7,17 @@ use serde_json::Value;
 use super::Summary;
 use crate::{ResultError, folder, json};
 
-/// A summary read back, whatever version wrote it.
+/// A summary read from a file that any version may have written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SummaryFile {
-    /// What this version knows of it.
+    /// The part that this version knows.
     pub summary: Summary,
-    /// All that it holds, with keys that a later version has added and without those that an older one lacks.
+    /// All values of the file, also those of keys that this version does not know.
     pub values: Value,
 }
 
 impl SummaryFile {
-    /// The summary in a result folder.
+    /// Reads the summary in the result folder `result`.
     ///
     /// # Errors
     /// [`ResultError::Read`], or [`ResultError::Json`] with line and column, or with the key that cannot be read.
@@ -26,7 +26,7 @@ impl SummaryFile {
         Self::of(json::read(&path)?, &path)
     }
 
-    /// The summary that a file at `path` holds with these values.
+    /// The summary with these values, read from the file at `path`.
     ///
     /// # Errors
     /// [`ResultError::Json`] with the key that cannot be read.
@@ -34,7 +34,7 @@ impl SummaryFile {
         Ok(Self { summary: json::of_value(&values, path)?, values })
     }
 
-    /// Whether it is that of a comparison, which has designs in place of sections.
+    /// Whether it is the summary of a comparison, which has designs instead of sections.
     pub fn is_of_comparison(&self) -> bool {
         self.values["designs"].is_array()
     }
@@ -53,12 +53,12 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_another_version_reads_with_what_it_has() {
-        // as `recover` writes it, with a key that nobody knows yet
+    fn a_summary_of_another_version_can_be_read() {
+        // as `recover` writes it, with an unknown key
         let file = read(r#"{"title": "A net", "wall_time_s": null, "finished": false, "capture": {"held_s": 2.0}}"#);
         let SummaryFile { summary, values } = file.unwrap();
         assert_eq!((&summary.title[..], summary.finished), ("A net", false));
-        // not 0, which would say that the balance closes
+        // not 0, which would mean that the balance closes
         assert!(summary.energy.closure.is_nan() && summary.tension.max_n.is_nan() && summary.wall_time_s.is_nan());
         assert_eq!(summary.opening, Default::default());
         assert_eq!(values["capture"]["held_s"], 2.0);
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_is_named_by_file_and_key() {
+    fn an_unreadable_value_is_named_by_file_and_key() {
         let error = read(r#"{"opening": {"area_max_m2": "wide"}}"#).unwrap_err().to_string();
         assert!(error.contains("summary.json") && error.contains("opening.area_max_m2: "), "{error}");
         let error = read("{\"title\": \"A net\",\n").unwrap_err().to_string();

@@ -1,10 +1,10 @@
-//! `summary.json`: the run in a page of numbers.
+//! `summary.json`: the numbers of a run on one page.
 //!
-//! Fields stand in the order of the file and carry its names. `None` is written as `null`: the scenario has no such
+//! Fields have the order and the names of the keys in the file. `None` is written as `null`: the scenario has no such
 //! thing (no outline, no tractor, nothing launched), or it never happened. A number that is not finite is refused,
-//! since JSON would turn it into the same `null`.
+//! because JSON would also write it as `null`.
 //!
-//! A file of another version reads too: keys that it lacks have their defaults, keys that it has beside are passed over.
+//! A file of another version can be read: missing keys take their defaults, unknown keys are ignored.
 
 mod computation;
 mod file;
@@ -25,69 +25,71 @@ use crate::{ResultError, json};
 
 pub use computation::{EnergyBalance, ModelSize, StepSize};
 pub use file::SummaryFile;
-pub use flight::{AirMet, Flight, PointExtremes};
+pub use flight::{AirMet, Flight, Place, Places, PointExtremes};
 pub use launch::{Departure, Departures, Equilibrium, Recoil, StowedState};
 pub use opening::{Mouth, Opening, Posture, TargetCoverage};
 pub use ropes::{BrokenSegment, ClassTension, RopeUse, SheetStress, Tension};
 
-/// The run in numbers; SI throughout.
+/// The numbers of a run, in SI.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Summary {
     /// The scenario's title.
     pub title: String,
-    /// Version of netcast that ran it.
+    /// Version of netcast that computed the run.
     pub netcast: String,
-    /// Time the computation took on the clock, s. The one number here that differs between two equal runs. Not a number
-    /// where it is not known.
+    /// Time that the computation took on the clock, s: the only number here that differs between two equal runs. NaN if
+    /// it is unknown.
     #[serde(default = "unknown", deserialize_with = "number_or_unknown")]
     pub wall_time_s: f64,
     /// Whether the run reached its end.
-    #[serde(default = "yes")]
+    #[serde(default = "finished_by_default")]
     pub finished: bool,
-    /// Size and mass of what was simulated.
+    /// Size and mass of the model.
     pub model: ModelSize,
     /// The time step.
-    #[serde(default = "unread")]
+    #[serde(default = "missing_section")]
     pub step: StepSize,
-    /// How well forces are in balance; none where no equilibrium was asked for.
+    /// The equilibrium; none if the scenario asks for none.
     #[serde(rename = "static")]
     pub statics: Option<Equilibrium>,
-    /// How the tractors were launched; none where nothing is.
+    /// How the tractors were launched; none without a launch.
     pub launch: Option<Departures>,
-    /// What the net flew through; none where there was no air.
+    /// The medium and the wind; none without air.
     pub air: Option<AirMet>,
     /// How far and how long the web opened.
     pub opening: Opening,
-    /// Extremes of each feature point, and of `tractor`, `corner` and `centre`; `None` where the web has no such point.
+    /// Where the web is when it opens, when it closes, when it is largest.
+    pub places: Places,
+    /// Extremes of each feature point and of `tractor`, `corner` and `centre`; `None` if the web has no such point.
     pub points: BTreeMap<String, Option<PointExtremes>>,
     /// Rope tension.
-    #[serde(default = "unread")]
+    #[serde(default = "missing_section")]
     pub tension: Tension,
-    /// The segments that broke, in order.
+    /// The segments that broke, in order of time.
     pub breaks: Vec<BrokenSegment>,
-    /// Whether the middle trails or leads.
+    /// When the middle trails the outline and when it leads.
     pub posture: Posture,
-    /// How the mouth stands.
+    /// Tilt and asymmetry of the mouth.
     pub mouth: Mouth,
-    /// How much of the target the web covers; none where no target is stated.
+    /// Share of the target that the web covers; none if the scenario states no target.
     pub target: Option<TargetCoverage>,
-    /// How long the web hangs about its apex.
+    /// Apex, hang time and landing of the web.
     pub flight: Flight,
-    /// What sheets bear; none where canopies are no sheets.
+    /// Stress of the canopies; none without sheets.
     pub canopies: Option<SheetStress>,
-    /// The state at the start.
+    /// The packed web at the start.
     pub stowed: StowedState,
     /// The energy ledger and how well it closes.
-    #[serde(default = "unread")]
+    #[serde(default = "missing_section")]
     pub energy: EnergyBalance,
-    /// What the reader should know before trusting the numbers.
+    /// Sentences that a reader needs before trusting the numbers.
     pub warnings: Vec<String>,
 }
 
 impl Summary {
-    /// Rows of the table of quantities for what stands in no section. `title`, `netcast`, `finished` and `warnings` say
-    /// which run it is and how it ended, and are no quantities.
+    /// Rows of the table of quantities for keys outside any section. `title`, `netcast`, `finished` and `warnings` tell
+    /// about the run and are not quantities.
     pub(crate) const QUANTITIES: &'static [Quantity] = &[Quantity::new(
         "",
         "wall_time_s",
@@ -96,7 +98,7 @@ impl Summary {
         "Time that the computation took on the clock; differs between two equal runs.",
     )];
 
-    /// The summary as JSON text, with a newline at its end. Decimals are the shortest that read back equal.
+    /// The summary as JSON text with a final newline. Decimals are the shortest that read back equal.
     ///
     /// # Errors
     /// [`ResultError::NotFinite`] names the section that holds an infinity or a NaN.
@@ -110,6 +112,7 @@ impl Summary {
         require_finite("air", &self.air)?;
         require_finite("static", &self.statics)?;
         require_finite("opening", &self.opening)?;
+        require_finite("places", &self.places)?;
         require_finite("points", &self.points)?;
         require_finite("tension", &self.tension)?;
         require_finite("breaks", &self.breaks)?;
@@ -142,12 +145,12 @@ impl Summary {
     }
 }
 
-/// What stands for a section that a file does not have: each of its keys is missing.
-fn unread<T: DeserializeOwned>() -> T {
+/// A section that the file lacks: every key has its default.
+fn missing_section<T: DeserializeOwned>() -> T {
     serde_json::from_str("{}").expect("every key has a default")
 }
 
-/// What stands for a number that a file does not have, where 0 would say something.
+/// A number that the file lacks, where 0 would be mistaken for a value.
 fn unknown() -> f64 {
     f64::NAN
 }
@@ -156,12 +159,13 @@ fn number_or_unknown<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, 
     Ok(Option::deserialize(deserializer)?.unwrap_or_else(unknown))
 }
 
-fn yes() -> bool {
+/// An older file without the key is that of a finished run.
+fn finished_by_default() -> bool {
     true
 }
 
-/// Holds `value` to what reading it back gives: serde_json writes a number that is not finite as `null`, which is an
-/// error for a number and `None`, so unequal, for an optional one.
+/// Requires that `value` reads back equal. serde_json writes a number that is not finite as `null`: that is an error
+/// when read as a number, and `None`, hence unequal, when read as an optional number.
 fn require_finite<T>(section: &'static str, value: &T) -> Result<(), ResultError>
 where
     T: Serialize + for<'text> Deserialize<'text> + PartialEq,
@@ -177,7 +181,7 @@ where
 mod tests {
     use super::*;
 
-    /// The keys a user's script relies on, from the contract.
+    /// The keys that users' scripts rely on.
     const CONTRACT: &str = r#"{
       "title": "", "netcast": "0.1.0", "wall_time_s": 0.0, "finished": true,
       "model":   {"nodes": 0, "segments": 0, "rope_length_m": 0.0, "web_mass_kg": 0.0, "tractor_mass_kg": 0.0},
@@ -211,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn every_key_of_the_contract_is_present_and_in_order_even_when_null() {
+    fn every_promised_key_is_present_and_in_order_even_when_null() {
         let expected = serde_json::from_str(CONTRACT).unwrap();
         let found = serde_json::from_str(&sample().to_json().unwrap()).unwrap();
         assert_keys(&expected, &found, "summary");

@@ -1,11 +1,11 @@
-//! How far the web opens, how its mouth stands, what of a target it covers, and whether its middle trails.
+//! Opening, tilt of the mouth, coverage of a target, and posture of the web.
 
 use serde::{Deserialize, Serialize};
 
 use crate::quantity::section;
 
 section! {
-    /// How far the web opened, and for how long.
+    /// How far and how long the web opened.
     Opening, "opening" {
         /// Largest area inside the outline, seen along the launch axis.
         area_max_m2: Option<f64> => "Largest outline area", Area, higher, headline;
@@ -19,13 +19,13 @@ section! {
         effective_from_s: Option<f64> => "At least 80 % open from", Time, lower;
         /// End of that spell.
         effective_to_s: Option<f64> => "At least 80 % open until", Time;
-        /// All the time with at least 80 % of the area of the flat web.
+        /// Total time with at least 80 % of the area of the flat web.
         effective_duration_s: Option<f64> => "At least 80 % open in all", Time, higher, headline;
         /// Largest area of the tractors' polygon, seen along the launch axis.
         tractor_area_max_m2: Option<f64> => "Largest area of the tractors' polygon", Area, headline;
         /// When it occurred.
         tractor_area_max_time_s: Option<f64> => "Time of largest tractors' polygon", Time;
-        /// Largest area of the silhouette along the launch axis at any record time.
+        /// Largest area of the silhouette along the launch axis at any check.
         shadow_area_max_m2: Option<f64> => "Largest silhouette", Area, higher;
         /// When it occurred.
         shadow_area_max_time_s: Option<f64> => "Time of largest silhouette", Time;
@@ -33,21 +33,22 @@ section! {
 }
 
 section! {
-    /// How the mouth stood, at record times.
+    /// Tilt and asymmetry of the mouth, at checks.
     Mouth, "mouth" {
         /// Angle between the outline's vector area and the launch axis when the outline area is largest.
         tilt_at_area_max_rad: Option<f64> => "Tilt of the mouth at the largest area", Angle, lower;
-        /// The largest of it while the web is at least 80 % open.
+        /// Largest tilt of the mouth while the web is at least 80 % open.
         tilt_max_open_rad: Option<f64> => "Largest tilt of the mouth while 80 % open", Angle, lower;
-        /// Spread of the corners' reach, each over that in the flat web, when the outline area is largest.
+        /// Spread of the corners' distances from their mean, each over that in the flat web, when the outline area is
+        /// largest.
         asymmetry_at_area_max: Option<f64> => "Asymmetry of the mouth at the largest area", Share, lower;
-        /// The largest of it while the web is at least 80 % open.
+        /// Largest asymmetry of the mouth while the web is at least 80 % open.
         asymmetry_max_open: Option<f64> => "Largest asymmetry of the mouth while 80 % open", Share, lower;
     }
 }
 
 section! {
-    /// How much of a target of stated size the web covered, at record times.
+    /// Share of a target of stated size that the web covered, at checks.
     TargetCoverage, "target" {
         /// Diameter of the target.
         diameter_m: f64 => "Diameter of the target", Length;
@@ -59,7 +60,7 @@ section! {
         covered_from_s: Option<f64> => "Target covered from", Time, lower;
         /// End of that spell.
         covered_to_s: Option<f64> => "Target covered until", Time;
-        /// All the time with at least 99 % of the target covered.
+        /// Total time with at least 99 % of the target covered.
         covered_duration_s: Option<f64> => "Target covered in all", Time, higher, headline;
     }
 }

@@ -1,4 +1,4 @@
-//! What ropes and sheets bear, and what breaks.
+//! Tensions of ropes, stresses of sheets, and broken segments.
 
 use std::collections::BTreeMap;
 
@@ -14,20 +14,20 @@ section! {
         max_n: f64 => "Highest tension", Force, lower, headline, not_in_table;
         /// When it occurred.
         max_time_s: Option<f64> => "Highest tension at", Time, not_in_table;
-        /// The link class of the rope that bore it.
+        /// Link class of the rope with the highest tension.
         max_where: Option<String> => "Highest tension in", Text, headline, not_in_table;
         /// Highest tension in the segments that meet point B.
         bottom_max_n: Option<f64> => "Highest tension in the bottom ropes", Force, lower, headline;
-        /// Their mean from B's start to the time of largest area.
+        /// Mean tension in the segments that meet point B, from the start of B to the time of largest area.
         bottom_mean_n: Option<f64> => "Mean tension in the bottom ropes", Force, lower;
-        /// Number of segments of rope that broke; ties and stitches, which are made to, do not count.
+        /// Number of rope segments that broke; break ties and stitches, which are made to break, do not count.
         broken_segments: usize => "Segments of rope that break", Count, lower, headline, not_in_table;
         /// When the first of them broke.
         first_break_time_s: Option<f64> => "First break of a rope at", Time, higher, not_in_table;
         parts:
         /// The extremes of each link class.
         by_class: BTreeMap<String, ClassTension>;
-        /// What each kind of rope bears, by its name in the scenario.
+        /// Tensions of each kind of rope, by its name in the scenario.
         by_rope: BTreeMap<String, RopeUse>;
     }
 }
@@ -45,42 +45,42 @@ section! {
 }
 
 section! {
-    /// What one kind of rope bears. The largest tension is that of any step, smallest and mean are over all its segments
-    /// at all record times.
+    /// Tensions of one kind of rope: the largest over all steps, the smallest and the mean over all its segments at all
+    /// checks.
     RopeUse, "tension.by_rope.*" {
-        /// Smallest tension of its segments at any record time: 0 where any was slack.
+        /// Smallest tension of its segments at any check: 0 if any was slack.
         min_n: Option<f64> => "Smallest tension, rope `{}`", Force;
-        /// Mean tension over its segments and all record times.
+        /// Mean tension over its segments and all checks.
         mean_n: Option<f64> => "Mean tension, rope `{}`", Force, lower;
         /// Highest tension at any step.
         max_n: f64 => "Highest tension, rope `{}`", Force, lower;
         /// When it occurred.
         max_time_s: Option<f64> => "Highest tension, rope `{}`, at", Time, not_in_table;
-        /// The link class where it occurred.
+        /// Link class of the segment with the highest tension.
         max_where: Option<String> => "Highest tension, rope `{}`, in", Text, not_in_table;
-        /// Its breaking load, where it is given.
+        /// Breaking load of the rope, where the scenario gives one.
         strength_n: Option<f64> => "Strength, rope `{}`", Force;
-        /// The share of that which knots take, where it is given.
+        /// Share of the breaking load that is lost at knots, where the scenario gives one.
         knot_reduction: Option<f64> => "Lost to knots, rope `{}`", Share;
-        /// Highest tension over the strength that knots leave.
+        /// Highest tension over the breaking load less the loss at knots.
         utilisation: Option<f64> => "Utilisation, rope `{}`", Share, lower, headline;
-        /// The inverse of it.
+        /// The breaking load less the loss at knots, over the highest tension.
         margin: Option<f64> => "Margin, rope `{}`", Ratio, higher;
     }
 }
 
 section! {
-    /// What the sheets of canopies bear, at every step.
+    /// Stress of the sheets of canopies, at every step.
     SheetStress, "canopies" {
         /// Largest principal stress (second Piola-Kirchhoff) of any triangle.
         max_principal_stress_pa: f64 => "Largest principal stress of the canopies", Stress, not_in_table;
         /// When it occurred.
         max_time_s: Option<f64> => "Largest principal stress of the canopies at", Time, not_in_table;
-        /// The canopy that bore it.
+        /// The canopy with the largest principal stress.
         max_where: Option<String> => "Largest principal stress of the canopies in", Text, not_in_table;
-        /// What the cloth bears, where it is given.
+        /// Strength of the cloth, where the scenario gives one.
         strength_pa: Option<f64> => "Strength of the cloth", Stress, not_in_table;
-        /// Strength over largest stress.
+        /// Strength of the cloth over the largest principal stress.
         margin: Option<f64> => "Margin of the cloth", Ratio, higher, not_in_table;
     }
 }
@@ -89,17 +89,17 @@ section! {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BrokenSegment {
-    /// When, s.
+    /// Time of the break, s.
     pub time_s: f64,
-    /// Which segment, in words.
+    /// The segment in words.
     #[serde(rename = "where")]
     pub place: String,
-    /// Its number in the fields.
+    /// Index of the segment in the fields.
     pub segment: usize,
-    /// Its link class.
+    /// Link class of the segment.
     pub class: String,
-    /// Its tension then, N.
+    /// Tension at the break, N.
     pub tension_n: f64,
-    /// Whether it was made to: a break tie, a tear stitch.
+    /// Whether it is made to break: a break tie, a tear stitch.
     pub released: bool,
 }

@@ -7,6 +7,7 @@ use hdf5_pure::File;
 
 use super::topology::FieldsTopology;
 use crate::ResultError;
+use crate::measures::KeptFrame;
 
 /// The fields of a run in memory: topology, and a frame for each record step.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,6 +46,23 @@ impl Fields {
         // triangles of sheets are cells without tension
         self.tensions.resize(self.times.len() * self.topology.cells(), 0.0);
         self.orientations.extend(orientations);
+    }
+
+    /// Puts a frame where its time belongs; one of a time that is there already is left out.
+    pub(crate) fn insert(&mut self, frame: &KeptFrame) {
+        let place = self.times.partition_point(|&time| time < frame.time);
+        if self.times.get(place) == Some(&frame.time) {
+            return;
+        }
+        let (nodes, cells, bodies) = (self.topology.nodes, self.topology.cells(), self.topology.bodies.len());
+        let mut tension = frame.tension.clone();
+        tension.resize(cells, 0.0);
+        let at = |count: usize| place * count..place * count;
+        self.positions.splice(at(nodes), frame.position.iter().copied());
+        self.velocities.splice(at(nodes), frame.velocity.iter().copied());
+        self.tensions.splice(at(cells), tension);
+        self.orientations.splice(at(bodies), frame.orientation.iter().copied());
+        self.times.insert(place, frame.time);
     }
 
     /// Positions of the nodes at a step, m; shape (nodes,).

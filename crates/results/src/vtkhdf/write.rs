@@ -7,6 +7,7 @@ use hdf5_pure::{AttrValue, FileBuilder, FinishedGroup, GroupBuilder, make_f64_ty
 
 use super::topology::{FieldsTopology, QUATERNION_BYTES, SCALAR_BYTES, VECTOR_BYTES};
 use crate::ResultError;
+use crate::measures::KeptFrame;
 
 /// The kinds of cell of a `PolyData`, in the order of the columns of its cell offsets.
 const CELL_KINDS: [&str; 4] = ["Vertices", "Lines", "Polygons", "Strips"];
@@ -73,6 +74,28 @@ impl FieldsWriter {
         self.tensions.extend_from_slice(tensions);
         self.orientations.extend_from_slice(orientations);
         self.append_triangle_tensions();
+    }
+
+    /// Puts a frame where its time belongs; one of a time that is there already is left out.
+    pub(crate) fn insert(&mut self, frame: &KeptFrame) {
+        let place = self.times.partition_point(|&time| time < frame.time);
+        if self.times.get(place) == Some(&frame.time) {
+            return;
+        }
+        let (nodes, cells, bodies) = (self.topology.nodes, self.topology.cells(), self.topology.bodies.len());
+        let mut vectors = Vec::new();
+        append_vectors(&mut vectors, &frame.position);
+        splice(&mut self.positions, place * nodes * VECTOR_BYTES, vectors);
+        let mut vectors = Vec::new();
+        append_vectors(&mut vectors, &frame.velocity);
+        splice(&mut self.velocities, place * nodes * VECTOR_BYTES, vectors);
+        let mut tensions: Vec<u8> = frame.tension.iter().flat_map(|tension| tension.to_le_bytes()).collect();
+        tensions.resize(cells * SCALAR_BYTES, 0);
+        splice(&mut self.tensions, place * cells * SCALAR_BYTES, tensions);
+        let mut quaternions = Vec::new();
+        append_quaternions(&mut quaternions, frame.orientation.iter().copied());
+        splice(&mut self.orientations, place * bodies * QUATERNION_BYTES, quaternions);
+        self.times.insert(place, frame.time);
     }
 
     /// Appends zero tension for each triangle of the last step.
@@ -146,6 +169,10 @@ impl FieldsWriter {
         file.add_group(names);
         Ok(file)
     }
+}
+
+fn splice(values: &mut Vec<u8>, place: usize, new: Vec<u8>) {
+    values.splice(place..place, new);
 }
 
 pub(crate) fn append_vectors(bytes: &mut Vec<u8>, vectors: &[DVec3]) {

@@ -1,0 +1,141 @@
+//! The moments that every result shows, whatever is recorded: the highest tension, the largest area, when the web
+//! becomes 80 % open and when it stops being so.
+//!
+//! A largest value grows over many steps. Its frame is kept again whenever it has grown by another part, so that a run
+//! copies the net at a few hundred steps at most; a largest area is kept when it begins to shrink as well.
+
+use glam::{DQuat, DVec3};
+use netcast_dynamics::simulate::Frame;
+use serde::{Deserialize, Serialize};
+
+use super::Measured;
+
+/// How much a tension must exceed that of the kept frame.
+const TENSION_GROWTH: f64 = 1.005;
+/// How much an area must exceed that of the kept frame, while it grows.
+const AREA_GROWTH: f64 = 1.01;
+
+/// The whole net at one time, as it goes into the fields.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct KeptFrame {
+    /// Time, s.
+    pub time: f64,
+    /// Positions, m, (nodes,).
+    pub position: Vec<DVec3>,
+    /// Velocities, m/s, (nodes,).
+    pub velocity: Vec<DVec3>,
+    /// Tensions, N, (segments,); NaN where a segment is broken.
+    pub tension: Vec<f64>,
+    /// Orientations of rigid bodies, (bodies,).
+    pub orientation: Vec<DQuat>,
+}
+
+impl KeptFrame {
+    fn of(frame: &Frame) -> KeptFrame {
+        KeptFrame {
+            time: frame.time,
+            position: frame.position.to_vec(),
+            velocity: frame.velocity.to_vec(),
+            tension: frame.tension.to_vec(),
+            orientation: frame.rotation.iter().map(|rotation| rotation.orientation).collect(),
+        }
+    }
+}
+
+/// What a step tells of the web as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Glance {
+    /// Highest tension of any rope, N.
+    pub tension: f64,
+    /// Outline area along the launch axis, m^2; none for a web without an outline.
+    pub area: Option<f64>,
+    /// Whether the web is at least 80 % open.
+    pub is_open: bool,
+}
+
+/// The moments of a run so far.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Moments {
+    last: Glance,
+    tension: Option<(f64, KeptFrame)>,
+    area: Option<(f64, KeptFrame)>,
+    /// The start of the spell that the web is open for now.
+    opens: Option<KeptFrame>,
+    /// Start and end of the longest spell that is over.
+    longest: Option<(KeptFrame, KeptFrame)>,
+}
+
+/// The moments of a run, at its end; none where the run has no such thing.
+#[derive(Debug, Default)]
+pub struct MomentFrames<'m> {
+    pub tension_max: Option<&'m KeptFrame>,
+    pub area_max: Option<&'m KeptFrame>,
+    pub opens: Option<&'m KeptFrame>,
+    pub closes: Option<&'m KeptFrame>,
+}
+
+impl Moments {
+    /// Whether the net after this step belongs to the moments.
+    pub fn wants(&self, now: &Glance) -> bool {
+        let kept = |moment: &Option<(f64, KeptFrame)>| moment.as_ref().map_or(0.0, |(value, _)| *value);
+        let area = now.area.unwrap_or(0.0);
+        let before = self.last.area.unwrap_or(0.0);
+        let shrinks = area < before && before > kept(&self.area) * (1.0 + 1e-9);
+        let (grown, opened) = (now.tension > TENSION_GROWTH * kept(&self.tension), now.is_open != self.last.is_open);
+        grown || shrinks || opened || area > AREA_GROWTH * kept(&self.area)
+    }
+
+    /// Takes note of a step.
+    pub fn step(&mut self, now: Glance) {
+        self.last = now;
+    }
+
+    /// Keeps the net at a wanted step. `tension`, N, and `area`, m^2, are those of the frame; `is_open` says whether the
+    /// web is open.
+    pub fn keep(&mut self, frame: &Frame, tension: f64, area: Option<f64>, is_open: bool) {
+        let larger = |moment: &Option<(f64, KeptFrame)>, value: f64| match moment {
+            None => value > 0.0,
+            Some((kept, _)) => value > *kept,
+        };
+        if larger(&self.tension, tension) {
+            self.tension = Some((tension, KeptFrame::of(frame)));
+        }
+        if let Some(area) = area.filter(|&area| larger(&self.area, area)) {
+            self.area = Some((area, KeptFrame::of(frame)));
+        }
+        if is_open && self.opens.is_none() {
+            self.opens = Some(KeptFrame::of(frame));
+        }
+        if !is_open && let Some(opens) = self.opens.take() {
+            let length = frame.time - opens.time;
+            if self.longest.as_ref().is_none_or(|(from, to)| length > to.time - from.time) {
+                self.longest = Some((opens, KeptFrame::of(frame)));
+            }
+        }
+    }
+
+    /// The moments at the end of a run, `time`, s. A web that is open then does not close.
+    pub fn finish(&self, time: f64) -> MomentFrames<'_> {
+        let over = self.longest.as_ref().map_or(0.0, |(from, to)| to.time - from.time);
+        let (opens, closes) = match (&self.opens, &self.longest) {
+            (Some(opens), _) if time - opens.time > over => (Some(opens), None),
+            (_, longest) => longest.as_ref().map(|(opens, closes)| (opens, closes)).unzip(),
+        };
+        let [tension_max, area_max] = [&self.tension, &self.area].map(|moment| moment.as_ref().map(|(_, frame)| frame));
+        MomentFrames { tension_max, area_max, opens, closes }
+    }
+}
+
+impl<'m> MomentFrames<'m> {
+    /// The frames, in no order.
+    pub fn iter(&self) -> impl Iterator<Item = &'m KeptFrame> + use<'m> {
+        [self.tension_max, self.area_max, self.opens, self.closes].into_iter().flatten()
+    }
+}
+
+/// The highest tension of any rope in a frame, N.
+pub fn rope_tension(of: &Measured, tension: &[f64]) -> f64 {
+    let is_rope = |segment: usize| of.landmarks.classes[of.landmarks.groups[of.groups[segment]].class].is_rope;
+    let of_ropes = tension.iter().enumerate().filter(|(segment, _)| is_rope(*segment));
+    of_ropes.map(|(_, &tension)| tension).filter(|tension| !tension.is_nan()).fold(0.0, f64::max)
+}
