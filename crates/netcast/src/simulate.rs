@@ -82,8 +82,8 @@ impl<'s> Simulation<'s> {
     }
 
     /// Shows every step and every record to `observer` too. A case whose step netcast chose is run again at a smaller one
-    /// where the first misses its energy tolerance; the observer then sees a second run from its start. What it is held to, the scenario says; the observer's
-    /// [`limits`](Observer::limits) are not asked.
+    /// where the first misses its energy tolerance; the observer then sees a second run from its start. What the run is
+    /// held to, the scenario says; the observer's [`limits`](Observer::limits) are not asked.
     pub fn observe(mut self, observer: &'s mut dyn Observer) -> Self {
         self.watchers.observer = Some(observer);
         self

@@ -60,8 +60,7 @@ impl Ended<'_> {
         let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
         let unrest = self.rest.as_ref().and_then(|rest| rest.failure(self.model)).map(Failure::Stopped);
         // a run that came apart says so, and what mends it
-        let came_apart = matches!(stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
-        let missed = if came_apart { None } else { self.unresolved().or_else(|| self.unbalanced()) };
+        let missed = if self.came_apart() { None } else { self.unresolved().or_else(|| self.unbalanced()) };
         let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
         let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
         let mut warnings: Vec<String> = second.map(|second| second.why.clone()).into_iter().collect();
@@ -113,9 +112,8 @@ impl Ended<'_> {
         if !is_first || is_stopped || !stops || !case.has_chosen_step() {
             return None;
         }
-        let came_apart = matches!(self.outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }));
         let (step_fraction, what) = match self.unresolved().or_else(|| self.unbalanced()) {
-            _ if came_apart => (0.25 * self.fraction(), "the run came apart".to_owned()),
+            _ if self.came_apart() => (0.25 * self.fraction(), "the run came apart".to_owned()),
             Some(Failure::Unbalanced { smaller, what, found, asked, .. }) => {
                 (smaller, format!("{what} was {} %, at most {} % is allowed", percent(found), percent(asked)))
             }
@@ -131,6 +129,11 @@ impl Ended<'_> {
             self.fraction()
         );
         Some(SecondRun { step_fraction, why })
+    }
+
+    /// Whether its numbers grew without end.
+    fn came_apart(&self) -> bool {
+        matches!(self.outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }))
     }
 
     /// The share of the stable step that was taken.

@@ -1,7 +1,7 @@
 //! The rows of `history.csv`: which columns there are, and what stands in them at a record.
 //!
 //! Each list holds a column and its value side by side: first those of the run, then those of each feature point, link
-//! class and energy channel, then those of the web as a whole (`measures/records.rs`).
+//! class and energy channel, then those of the web as a whole (`measures/web.rs`).
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use netcast_dynamics::simulate::Frame;
 use crate::column::{Column, ColumnOf};
 use crate::geometry::mean;
 use crate::landmarks::{Landmark, Landmarks};
-use crate::measures::{StepMeasures, WebState, records};
+use crate::measures::{StepMeasures, WebState, web};
 use crate::quantity::Dimension::{Area, Energy, Force, Length, Speed, Time};
 
 /// A record of a run.
@@ -123,7 +123,7 @@ pub fn columns() -> impl Iterator<Item = (Column, &'static str)> {
     let run = RUN.iter().map(|(column, _)| (*column, ""));
     let points = POINT.iter().map(|(column, _)| (*column, "POINT"));
     let classes = CLASS.iter().map(|(column, _)| (*column, "CLASS"));
-    let web = records::COLUMNS.iter().map(|(column, _)| (*column, ""));
+    let web = web::COLUMNS.iter().map(|(column, _)| (*column, ""));
     let run_peaks = RUN_PEAKS.iter().map(|(column, _)| (*column, ""));
     let point_peaks = POINT_PEAKS.iter().map(|(column, _)| (*column, "POINT"));
     let class_peaks = CLASS_PEAKS.iter().map(|(column, _)| (*column, "CLASS"));
@@ -155,7 +155,7 @@ impl RowLayout {
         }
         names.extend(channels.iter().map(|channel| CHANNEL.name_of(channel.name())));
         names.push(CHANNEL.name_of(RESIDUAL));
-        names.extend(records::COLUMNS.iter().map(|(column, _)| column.name.to_owned()));
+        names.extend(web::COLUMNS.iter().map(|(column, _)| column.name.to_owned()));
         names.extend(RUN_PEAKS.iter().map(|(column, _)| column.name.to_owned()));
         for point in &landmarks.points {
             names.extend(POINT_PEAKS.iter().map(|(column, _)| of_each(column, &point.name)));
@@ -183,7 +183,7 @@ impl RowLayout {
         }
         row.extend(self.channels.iter().map(|&channel| Some(frame.ledger[channel])));
         row.push(Some(frame.residual));
-        row.extend(records::COLUMNS.iter().map(|(_, value)| value(record.web)));
+        row.extend(web::COLUMNS.iter().map(|(_, value)| value(record.web)));
         row.extend(RUN_PEAKS.iter().map(|(_, value)| value(record)));
         for at in &points {
             row.extend(POINT_PEAKS.iter().map(|(_, value)| value(at)));

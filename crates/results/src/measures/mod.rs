@@ -1,12 +1,11 @@
 //! What is measured of a run: at every step, or at checks where it takes the whole web. None of it depends on what is
-//! recorded. At the end each measure
-//! writes what it found into the summary.
+//! recorded. At the end each measure writes what it found into the summary.
 //!
 //! ```text
 //!  steps     areas, points, tensions, posture                    every step
 //!  cloth     stress of sheets                                    every step
 //!  moments   the net at the highest tension, the largest area    the steps where they are
-//!  records   silhouette, mouth, target, flight                   checks
+//!  web       silhouette, mouth, target, flight                   checks
 //!  ropes     least and mean tension of each kind of rope         checks
 //! ```
 
@@ -15,12 +14,12 @@ mod flight;
 mod moments;
 mod mouth;
 mod peak;
-pub(crate) mod records;
 mod ropes;
 mod silhouette;
 mod since_record;
 mod spell;
 mod steps;
+pub(crate) mod web;
 
 use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::membrane::Membrane;
@@ -32,13 +31,13 @@ use crate::summary::{EnergyBalance, Summary};
 
 use cloth::ClothMeasures;
 use moments::{Moments, rope_tension};
-use records::RecordMeasures;
 use ropes::RopeMeasures;
+use web::WebMeasures;
 
 pub(crate) use moments::{KeptFrame, MomentFrames};
-pub(crate) use records::WebState;
 pub use steps::OPEN_SHARE;
 pub(crate) use steps::StepMeasures;
+pub(crate) use web::WebState;
 
 use glam::DVec3;
 
@@ -59,7 +58,7 @@ pub(crate) struct Measured {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     pub(crate) at_steps: StepMeasures,
-    at_records: RecordMeasures,
+    at_checks: WebMeasures,
     ropes: RopeMeasures,
     cloth: ClothMeasures,
     moments: Moments,
@@ -75,7 +74,7 @@ impl Measures {
     pub(crate) fn new(of: &Measured, reference: &[DVec3], position: &[DVec3]) -> Self {
         Self {
             at_steps: StepMeasures::new(&of.landmarks, reference, position),
-            at_records: RecordMeasures::new(&of.web_mass, reference),
+            at_checks: WebMeasures::new(&of.web_mass, reference),
             ropes: RopeMeasures::new(of.landmarks.ropes.len()),
             cloth: ClothMeasures::default(),
             moments: Moments::default(),
@@ -94,10 +93,7 @@ impl Measures {
     pub(crate) fn step(&mut self, of: &Measured, live: &Live) -> bool {
         self.at_steps.step(&of.landmarks, live);
         self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
-        let now = self.at_steps.glance(&of.landmarks);
-        let wanted = self.moments.wants(&now);
-        self.moments.step(now);
-        wanted
+        self.moments.step(self.at_steps.glance(&of.landmarks))
     }
 
     /// Keeps the net at a moment.
@@ -112,7 +108,7 @@ impl Measures {
     pub(crate) fn check(&mut self, of: &Measured, frame: &Frame) {
         let landmarks = &of.landmarks;
         let touches = frame.ledger[Channel::Ground] > 0.0;
-        self.at_records.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
+        self.at_checks.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
         self.ropes.add(landmarks, frame.tension, &of.groups);
         let group_of = |segment: usize| of.groups[segment];
         self.at_steps.check(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
@@ -122,7 +118,7 @@ impl Measures {
 
     /// The web as a whole at a record.
     pub(crate) fn web(&self, of: &Measured, frame: &Frame) -> WebState {
-        self.at_records.web(&of.landmarks, &of.web_mass, frame.position)
+        self.at_checks.web(&of.landmarks, &of.web_mass, frame.position)
     }
 
     /// Counts a record that has been written.
@@ -140,14 +136,14 @@ impl Measures {
     /// The sections of the summary that are measured; the others are left open. `tolerance` is what the balance was
     /// asked to reach, closure and closure of the web.
     pub(crate) fn finish(self, of: &Measured, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
-        let places = self.at_records.places(&of.landmarks, &of.web_mass, &self.moments());
-        let Self { at_steps, at_records, ropes, cloth, moments: _, rows: _, last_time: _, last_residual } = self;
+        let places = self.at_checks.places(&of.landmarks, &of.web_mass, &self.moments());
+        let Self { at_steps, at_checks, ropes, cloth, moments: _, rows: _, last_time: _, last_residual } = self;
         let landmarks = &of.landmarks;
         let mut summary = Summary::default();
         ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope), &mut summary);
         summary.canopies = cloth.finish(&of.membranes, landmarks);
         summary.places = places;
-        at_records.finish(landmarks, &mut summary);
+        at_checks.finish(landmarks, &mut summary);
         at_steps.finish(landmarks, &mut summary);
         let (ledger, balance) = (outcome.ledger, outcome.balance);
         summary.energy = EnergyBalance {

@@ -75,19 +75,15 @@ pub struct MomentFrames<'m> {
 }
 
 impl Moments {
-    /// Whether the net after this step belongs to the moments.
-    pub fn wants(&self, now: &Glance) -> bool {
+    /// Takes note of a step. Returns whether the net after it belongs to the moments.
+    pub fn step(&mut self, now: Glance) -> bool {
         let kept = |moment: &Option<(f64, KeptFrame)>| moment.as_ref().map_or(0.0, |(value, _)| *value);
         let area = now.area.unwrap_or(0.0);
-        let before = self.last.area.unwrap_or(0.0);
+        let last = std::mem::replace(&mut self.last, now);
+        let before = last.area.unwrap_or(0.0);
         let shrinks = area < before && before > kept(&self.area) * (1.0 + 1e-9);
-        let (grown, opened) = (now.tension > TENSION_GROWTH * kept(&self.tension), now.is_open != self.last.is_open);
+        let (grown, opened) = (now.tension > TENSION_GROWTH * kept(&self.tension), now.is_open != last.is_open);
         grown || shrinks || opened || area > AREA_GROWTH * kept(&self.area)
-    }
-
-    /// Takes note of a step.
-    pub fn step(&mut self, now: Glance) {
-        self.last = now;
     }
 
     /// Keeps the net at a wanted step. `tension`, N, and `area`, m^2, are those of the frame; `is_open` says whether the

@@ -59,7 +59,7 @@ pub(crate) const COLUMNS: &[ColumnOf<WebState>] = &[
 
 /// Takes the checks of a run in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RecordMeasures {
+pub struct WebMeasures {
     /// The centre of mass at time 0, m.
     start: DVec3,
     shadow_area: Peak,
@@ -72,10 +72,10 @@ pub struct RecordMeasures {
     flight: FlightMeasures,
 }
 
-impl RecordMeasures {
+impl WebMeasures {
     /// Starts at `position`s of time 0; `mass` is that of each node, kg, and zero for tractors.
-    pub fn new(mass: &[f64], position: &[DVec3]) -> RecordMeasures {
-        RecordMeasures {
+    pub fn new(mass: &[f64], position: &[DVec3]) -> WebMeasures {
+        WebMeasures {
             start: mass_centre(mass, position),
             shadow_area: Peak::default(),
             coverage: Peak::default(),
