@@ -190,10 +190,13 @@ fn moving(position: &[DVec3], velocity: &[DVec3], extrapolated: &[DVec3], node: 
     Moving { x: position[node], v: velocity[node], w: extrapolated[node] }
 }
 
-/// The segments that break under the tensions just computed.
+/// The segments that break under the tensions just computed, in the layout's order: the energy that breaking takes is added
+/// up in it.
 fn failing(system: &System, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize> {
     let mut failing = Vec::new();
-    for (index, (s, pull)) in system.segments().iter().zip(pulls).enumerate() {
+    let slots = system.layout().blocks().iter().flat_map(|block| &block.slots);
+    for index in slots.filter_map(|slot| slot.segment) {
+        let (s, pull) = (&system.segments()[index], &mut pulls[index]);
         if !ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
             failing.push(index);
             // the work of its last tension is lost, so all of that tension is dissipative
