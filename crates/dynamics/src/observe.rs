@@ -35,6 +35,10 @@ pub trait Observer: Send {
     fn wants_snapshot(&mut self) -> bool {
         false
     }
+    /// Asked at the last record of a run that went well: whether [`Observer::snapshot`] should be called there too.
+    fn wants_last_snapshot(&mut self) -> bool {
+        false
+    }
     /// Where the run stands, after the record: when it was wanted, and before an interrupted run stops.
     fn snapshot(&mut self, _: &Snapshot) {}
 }

@@ -134,6 +134,9 @@ pub fn resume(
     let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
     let (step, losses, breaks) = (motion.step, *losses, breaks.clone());
     let mut run = Run { net, schedule, limits: observer.limits(), step, wanted: false, losses, breaks, record };
+    if step == schedule.count {
+        return run.outcome(None);
+    }
     run.net.team().lead(|| run.run_to_end(observer))
 }
 
@@ -191,8 +194,14 @@ impl Run<'_> {
         }
         let exceeded = self.record.exceeded.filter(|_| self.limits.stops).map(StepError::Exceeded);
         let stopped = self.record.diverged(time, step).or(exceeded);
-        if stopped.is_some() || step == self.schedule.count {
+        if stopped.is_some() {
             return Some(self.outcome(stopped));
+        }
+        if step == self.schedule.count {
+            if observer.wants_last_snapshot() {
+                observer.snapshot(&self.snapshot());
+            }
+            return Some(self.outcome(None));
         }
         if !due.record {
             return None;

@@ -40,7 +40,7 @@ pub enum SnapshotError {
         expected: usize,
     },
     /// It is one of another schedule.
-    #[error("the snapshot was taken at step {step}, which is no record before the last")]
+    #[error("the snapshot was taken at step {step}, where the run keeps no record")]
     Step {
         /// Its step.
         step: u64,
@@ -73,7 +73,7 @@ impl Snapshot {
         if let Some((what, found, expected)) = array.or_else(|| effects.misfit(system.parts())) {
             return Err(SnapshotError::Shape { what, found, expected });
         }
-        if *step < schedule.count && schedule.records(*step) {
+        if *step <= schedule.count && schedule.records(*step) {
             Ok(())
         } else {
             Err(SnapshotError::Step { step: *step })

@@ -131,15 +131,15 @@ impl Attempt<'_> {
 /// Writes what the run comes to and puts its folder in its place.
 fn publish(
     ended: Ended,
-    folder: ResultFolder,
+    mut folder: ResultFolder,
     manifest: &Manifest,
     second: Option<&SecondRun>,
 ) -> Result<Ran, RunError> {
     let (failure, warnings) = ended.verdict(second);
     // a run that was interrupted can go on; any other ended, or would end in the same way again
     let can_resume = matches!(ended.outcome.stopped, Some(StepError::Interrupted { .. }));
-    if !can_resume {
-        folder.forget_checkpoint()?;
+    if can_resume {
+        folder.goes_on();
     }
     let summary = ended.summary(manifest.wall_time_s, warnings);
     let folder = complete(folder, &summary, manifest)?;

@@ -294,6 +294,12 @@ impl Observer for Watched<'_, '_, '_> {
         self.wanted != [false; 2]
     }
 
+    fn wants_last_snapshot(&mut self) -> bool {
+        let by_observer = self.watchers.observer.as_mut().is_some_and(|observer| observer.wants_last_snapshot());
+        self.wanted = [self.recorder.wants_last_snapshot(), by_observer];
+        self.wanted != [false; 2]
+    }
+
     fn snapshot(&mut self, snapshot: &Snapshot) {
         let [for_recorder, for_observer] = self.wanted;
         let at_the_end = self.interrupted();

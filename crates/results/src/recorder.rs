@@ -54,6 +54,9 @@ pub struct Checkpoints {
     pub second_run: Option<SecondRun>,
 }
 
+/// Time on the clock after which the end of a run is worth a checkpoint.
+const WORTH_A_LAST: Duration = Duration::from_secs(1);
+
 /// Where rows and frames go.
 enum Keeping {
     /// Nowhere: only measures are taken.
@@ -287,6 +290,10 @@ impl Observer for Recorder<'_> {
         }
     }
 
+    fn wants_last_snapshot(&mut self) -> bool {
+        matches!(&self.keeping, Keeping::OnDisk(kept) if kept.is_worth_a_last())
+    }
+
     fn snapshot(&mut self, snapshot: &Snapshot) {
         // what could not be recorded is not to be gone on from
         if let (Keeping::OnDisk(kept), None) = (&mut self.keeping, &self.error) {
@@ -334,6 +341,16 @@ impl Kept {
             // records fall on it only to rounding
             CheckpointEvery::Simulated(every) => time - self.last.0 >= every * (1.0 - 1e-9),
             CheckpointEvery::Clock(every) => self.last.1.elapsed() >= every,
+        }
+    }
+
+    /// Whether the end of the run is worth a checkpoint: what follows it, fields, summary, report, takes time as well and
+    /// can fail, and the run shall not be computed again for it.
+    fn is_worth_a_last(&self) -> bool {
+        match self.checkpoints.every {
+            CheckpointEvery::Never => false,
+            CheckpointEvery::Simulated(_) => true,
+            CheckpointEvery::Clock(_) => self.last.1.elapsed() >= WORTH_A_LAST,
         }
     }
 

@@ -24,7 +24,8 @@ pub fn recover(folder: &Path) -> Result<Vec<String>, ResultError> {
     }
     let mut losses = Vec::new();
     losses.extend(cut_history(&folder.join(folder::HISTORY))?);
-    if folder.join(folder::FIELDS_PART).exists() {
+    let is_whole = [folder::SUMMARY, folder::FIELDS].iter().all(|name| folder.join(name).exists());
+    if folder.join(folder::FIELDS_PART).exists() && !is_whole {
         losses.extend(make_fields(folder)?);
     }
     if !folder.join(folder::SUMMARY).exists() {

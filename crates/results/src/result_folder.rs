@@ -12,7 +12,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-use crate::folder::{CHECKPOINT, FIELDS, OURS, PICTURES, REPORT, SUMMARY};
+use crate::folder::{CHECKPOINT, FIELDS, FIELDS_PART, OURS, PICTURES, REPORT, SUMMARY};
 use crate::running::{self, Lock};
 use crate::{Manifest, ResultError, stream, whole};
 
@@ -25,6 +25,8 @@ pub struct ResultFolder {
     /// Held where the folder is that of a run.
     lock: Option<Lock>,
     kept: bool,
+    /// Whether its run can go on.
+    goes_on: bool,
 }
 
 impl ResultFolder {
@@ -40,7 +42,7 @@ impl ResultFolder {
         let aside = unused_beside(&target, "new");
         let made = fs::create_dir_all(parent).and_then(|()| fs::create_dir(&aside));
         made.map_err(|source| ResultError::TargetUnwritable { path: target.clone(), source })?;
-        Ok(Self { target, aside, lock: None, kept: false })
+        Ok(Self { target, aside, lock: None, kept: false, goes_on: false })
     }
 
     /// Makes `<target>.running`, or takes it over from a run that died before its first checkpoint.
@@ -56,7 +58,7 @@ impl ResultFolder {
             return Err(ResultError::LeftBehind { path: aside });
         }
         running::clear(&aside)?;
-        Ok(Self { target, aside, lock: Some(lock), kept: false })
+        Ok(Self { target, aside, lock: Some(lock), kept: false, goes_on: false })
     }
 
     /// Makes the folder of a run that goes on from where an earlier one with this target stopped or died, with its
@@ -81,7 +83,7 @@ impl ResultFolder {
             return Err(ResultError::NothingToResume { path: target, what }.into());
         }
         let (aside, lock) = running::claim(&target)?;
-        let mut folder = Self { target, aside, lock: Some(lock), kept: existed };
+        let mut folder = Self { target, aside, lock: Some(lock), kept: existed, goes_on: false };
         let Some(left) = left else {
             running::clear(&folder.aside)?;
             folder.kept = false;
@@ -106,7 +108,12 @@ impl ResultFolder {
         self.kept = true;
     }
 
-    /// Removes the checkpoint, where there is one: this run is not to go on.
+    /// From now on the folder keeps its checkpoint when it is published: its run can go on.
+    pub fn goes_on(&mut self) {
+        self.goes_on = true;
+    }
+
+    /// Removes the checkpoint, where there is one: what follows does not continue the run so far.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -136,6 +143,8 @@ impl ResultFolder {
         }
         whole::sync_all(&self.aside)?;
         let target = self.swap_in()?;
+        // only now: a run that is killed before goes on from here
+        running::forget(&target, if self.goes_on { &[FIELDS_PART] } else { &[CHECKPOINT, FIELDS_PART] })?;
         whole::sync_folder(target.parent().unwrap_or(&target));
         Ok(target)
     }

@@ -104,7 +104,8 @@ impl Stream {
         Ok(Written { history: self.history.get_ref().extent(), fields: self.fields.sync()? })
     }
 
-    /// Closes the history and makes `fields.vtkhdf` of the fields and of the frames of `moments`.
+    /// Closes the history and makes `fields.vtkhdf` of the fields and of the frames of `moments`. `fields.part` stays
+    /// until the folder is in its place: a run that is killed meanwhile can go on from it.
     ///
     /// # Errors
     /// [`ResultError`] where a file cannot be written.
@@ -115,8 +116,7 @@ impl Stream {
         for frame in moments {
             fields.insert(frame);
         }
-        write_fields(&self.folder, fields)?;
-        std::fs::remove_file(&part).map_err(ResultError::write(&part))
+        write_fields(&self.folder, fields)
     }
 }
 
@@ -132,6 +132,11 @@ fn write_fields(folder: &Path, fields: FieldsWriter) -> Result<(), ResultError> 
 pub fn bring_back(from: &Path, to: &Path) -> Result<(), ResultError> {
     let (old, new) = (from.join(folder::HISTORY), to.join(folder::HISTORY));
     std::fs::copy(&old, &new).map_err(ResultError::read(&old))?;
+    let part = from.join(folder::FIELDS_PART);
+    if part.exists() {
+        let new = to.join(folder::FIELDS_PART);
+        return std::fs::copy(&part, &new).map(drop).map_err(ResultError::read(&part));
+    }
     let fields = read_fields(&from.join(folder::FIELDS))?;
     let mut journal = JournalWriter::create(&to.join(folder::FIELDS_PART), &fields.topology)?;
     for (frame, &time) in fields.times.iter().enumerate() {

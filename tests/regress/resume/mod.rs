@@ -166,6 +166,35 @@ fn checkpoints_during_a_run_change_no_bytes() {
     }
 }
 
+/// A run that cannot put its folder in its place stands where a kill, or a full disk, would leave it.
+#[test]
+fn a_run_killed_after_its_last_step_goes_on_with_its_summary() {
+    let workbench = workbench();
+    let (whole, target) = (workbench.path().join("whole"), workbench.path().join("net"));
+    for (name, text) in &scenarios() {
+        let document = read(text, workbench.path());
+        if document.scenario.solve.run_time().is_none() {
+            continue;
+        }
+        run_to_end(&document, &whole, &options(1, false));
+        let case = Case::of(document.clone()).unwrap_or_else(|errors| panic!("{errors}"));
+        let take_its_place = |_| {
+            fs::create_dir_all(&target).unwrap();
+            fs::write(target.join("thesis.tex"), "years of work").unwrap();
+        };
+        let options = RunOptions { checkpoint_every: CheckpointEvery::Simulated(1e9), ..options(1, false) };
+        let ended = case.simulation().options(options).progress(take_its_place).run_to(&target);
+        assert!(matches!(ended, Err(RunError::CutOff { .. })), "{name}");
+        fs::remove_dir_all(&target).unwrap();
+
+        let records = run_to_end(&document, &target, &self::options(1, true));
+        assert_eq!(records, 0, "{name}");
+        assert_same(&whole, &target, name);
+        assert!(!target.join(folder::FIELDS_PART).exists() && !target.join(folder::CHECKPOINT).exists());
+        fs::remove_dir_all(&target).unwrap();
+    }
+}
+
 #[test]
 fn a_run_with_other_inputs_is_not_resumed_and_the_difference_is_reported() {
     let workbench = workbench();
