@@ -2,13 +2,14 @@
 //! becomes 80 % open and when it stops being so.
 //!
 //! A largest value grows over many steps. Its frame is kept again whenever it has grown by another part, so that a run
-//! copies the net at a few hundred steps at most; a largest area is kept when it begins to shrink as well.
+//! copies the net at a few hundred steps at most; and when the value begins to fall.
+//!
+//! Forces are known only once the net has left the place where they act. So the tensions of a step are noted when it is
+//! the highest so far, and go into the frame that is kept one or two steps later.
 
 use glam::{DQuat, DVec3};
-use netcast_dynamics::simulate::Frame;
+use netcast_dynamics::simulate::{Frame, Live};
 use serde::{Deserialize, Serialize};
-
-use super::Measured;
 
 /// How much a tension must exceed that of the kept frame.
 const TENSION_GROWTH: f64 = 1.005;
@@ -57,6 +58,8 @@ pub struct Glance {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Moments {
     last: Glance,
+    /// The highest tension so far, N, and the tensions of its step, N, (segments,).
+    highest: (f64, Vec<f64>),
     tension: Option<(f64, KeptFrame)>,
     area: Option<(f64, KeptFrame)>,
     /// The start of the spell that the web is open for now.
@@ -76,25 +79,37 @@ pub struct MomentFrames<'m> {
 
 impl Moments {
     /// Takes note of a step. Returns whether the net after it belongs to the moments.
-    pub fn step(&mut self, now: Glance) -> bool {
+    pub fn step(&mut self, now: Glance, live: &Live) -> bool {
         let kept = |moment: &Option<(f64, KeptFrame)>| moment.as_ref().map_or(0.0, |(value, _)| *value);
         let area = now.area.unwrap_or(0.0);
         let last = std::mem::replace(&mut self.last, now);
         let before = last.area.unwrap_or(0.0);
+        if now.tension > self.highest.0 {
+            self.note_tensions(now.tension, live);
+        }
         let shrinks = area < before && before > kept(&self.area) * (1.0 + 1e-9);
+        let falls = now.tension < self.highest.0 && self.highest.0 > kept(&self.tension) * (1.0 + 1e-9);
         let (grown, opened) = (now.tension > TENSION_GROWTH * kept(&self.tension), now.is_open != last.is_open);
-        grown || shrinks || opened || area > AREA_GROWTH * kept(&self.area)
+        grown || falls || shrinks || opened || area > AREA_GROWTH * kept(&self.area)
     }
 
-    /// Keeps the net at a wanted step. `tension`, N, and `area`, m^2, are those of the frame; `is_open` says whether the
-    /// web is open.
-    pub fn keep(&mut self, frame: &Frame, tension: f64, area: Option<f64>, is_open: bool) {
+    fn note_tensions(&mut self, highest: f64, live: &Live) {
+        let (value, tensions) = &mut self.highest;
+        *value = highest;
+        let tension = |segment: usize| if live.net.is_gone(segment) { f64::NAN } else { live.net.tension(segment) };
+        tensions.clear();
+        tensions.extend((0..live.net.system().segments().len()).map(tension));
+    }
+
+    /// Keeps the net at a wanted step. `area`, m^2, is that of the frame; `is_open` says whether the web is open.
+    pub fn keep(&mut self, frame: &Frame, area: Option<f64>, is_open: bool) {
         let larger = |moment: &Option<(f64, KeptFrame)>, value: f64| match moment {
             None => value > 0.0,
             Some((kept, _)) => value > *kept,
         };
-        if larger(&self.tension, tension) {
-            self.tension = Some((tension, KeptFrame::of(frame)));
+        let (highest, tensions) = &self.highest;
+        if larger(&self.tension, *highest) {
+            self.tension = Some((*highest, KeptFrame { tension: tensions.clone(), ..KeptFrame::of(frame) }));
         }
         if let Some(area) = area.filter(|&area| larger(&self.area, area)) {
             self.area = Some((area, KeptFrame::of(frame)));
@@ -127,11 +142,4 @@ impl<'m> MomentFrames<'m> {
     pub fn iter(&self) -> impl Iterator<Item = &'m KeptFrame> + use<'m> {
         [self.tension_max, self.area_max, self.opens, self.closes].into_iter().flatten()
     }
-}
-
-/// The highest tension of any rope in a frame, N.
-pub fn rope_tension(of: &Measured, tension: &[f64]) -> f64 {
-    let is_rope = |segment: usize| of.landmarks.classes[of.landmarks.groups[of.groups[segment]].class].is_rope;
-    let of_ropes = tension.iter().enumerate().filter(|(segment, _)| is_rope(*segment));
-    of_ropes.map(|(_, &tension)| tension).filter(|tension| !tension.is_nan()).fold(0.0, f64::max)
 }
