@@ -14,6 +14,7 @@ mod jerked_rope;
 mod launch;
 mod measures;
 mod pendulum;
+mod reactions;
 mod ring;
 mod sheets;
 mod statics;

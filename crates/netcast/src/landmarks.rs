@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use netcast_model::{Model, PlacedBody, Role};
-use netcast_results::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
+use netcast_results::{
+    BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope, Support,
+};
 use netcast_scenario::{Canopy, Shape};
 
 /// The landmarks of a model.
@@ -49,6 +51,7 @@ pub fn landmarks(model: &Model) -> Landmarks {
         tractors: model.tractors.clone(),
         centre: web.centre.clone(),
         points,
+        supports: supports(model),
         bottom,
         classes,
         ropes,
@@ -60,6 +63,40 @@ pub fn landmarks(model: &Model) -> Landmarks {
         },
         bodies: model.bodies.iter().map(body_mark).collect(),
     }
+}
+
+/// Most supports that the results show one by one.
+const MOST_SUPPORTS: usize = 12;
+
+/// What is held or driven: all of it, and node by node where these are few. A node is called like the feature point there,
+/// else as messages call it.
+fn supports(model: &Model) -> Vec<Support> {
+    let nodes: Vec<usize> = (0..model.system.held().len()).filter(|&node| model.system.held()[node]).collect();
+    if nodes.is_empty() {
+        return Vec::new();
+    }
+    let mut supports = vec![Support { name: "supports".to_owned(), nodes: nodes.clone() }];
+    if nodes.len() > MOST_SUPPORTS {
+        return supports;
+    }
+    let points = model.points();
+    for node in nodes {
+        let point = points.iter().find(|(_, at)| *at == node).map(|(name, _)| name.clone());
+        let name = point.unwrap_or_else(|| as_key(&model.node_label(node)));
+        let alike = supports
+            .iter()
+            .filter(|support| support.name == name || support.name.starts_with(&(name.clone() + "_")))
+            .count();
+        let name = if alike == 0 { name } else { format!("{name}_{}", alike + 1) };
+        supports.push(Support { name, nodes: vec![node] });
+    }
+    supports
+}
+
+/// A label as it stands in the name of a column.
+fn as_key(label: &str) -> String {
+    let words = label.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_")
 }
 
 /// The canopies, with the triangles of those that are membranes.

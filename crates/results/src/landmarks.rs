@@ -37,6 +37,15 @@ impl Landmark {
     }
 }
 
+/// A node that is held or driven, or all of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Support {
+    /// Name in the results.
+    pub name: String,
+    /// The nodes, of which the reaction is the sum.
+    pub nodes: Vec<usize>,
+}
+
 /// A link class: what tensions are reported by.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LinkClass {
@@ -201,6 +210,9 @@ pub struct Landmarks {
     pub centre: Vec<usize>,
     /// Feature points, then tractor, corner and centre, each where it exists.
     pub points: Vec<Landmark>,
+    /// What is held or driven: all of it, `supports`, then node by node where these are few. Empty where nothing is.
+    #[serde(default)]
+    pub supports: Vec<Support>,
     /// The rope segments that meet at the bottom, point B.
     pub bottom: Vec<usize>,
     /// Link classes.
@@ -246,7 +258,16 @@ impl Landmarks {
         let canopies = self.canopies.iter().flat_map(|canopy| canopy.rim.iter().chain([&canopy.hub]));
         let sheets = self.canopies.iter().flat_map(|canopy| &canopy.triangles).flatten();
         let bodies = self.bodies.iter().map(|body| &body.node);
-        groups.flatten().chain(&self.tractors).chain(points).chain(canopies).chain(sheets).chain(bodies).copied()
+        let supports = self.supports.iter().flat_map(|support| &support.nodes);
+        groups
+            .flatten()
+            .chain(&self.tractors)
+            .chain(points)
+            .chain(canopies)
+            .chain(sheets)
+            .chain(bodies)
+            .chain(supports)
+            .copied()
     }
 
     /// Vector area of the outline, m^2; none without an outline. `position` gives the position of a node, m.

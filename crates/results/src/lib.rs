@@ -55,7 +55,9 @@ pub use error::ResultError;
 pub use history::History;
 pub use journal::read_journal;
 pub use json::read as read_json;
-pub use landmarks::{BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope};
+pub use landmarks::{
+    BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope, Support,
+};
 pub use manifest::{Machine, Manifest, hash, hash_files};
 pub use measures::{Measures, OPEN_SHARE};
 pub use quantities::{SECTIONS, Section, expected, leaves, quantities, quantity_at};

@@ -7,8 +7,8 @@ use crate::quantity::Quantity;
 use crate::row::channels;
 use crate::summary::{
     AirMet, ClassTension, Departure, Departures, EnergyBalance, Equilibrium, Flight, ModelSize, Mouth, Opening, Place,
-    Places, PointExtremes, Posture, Recoil, RopeUse, SheetStress, StepSize, StowedState, Summary, TargetCoverage,
-    Tension,
+    Places, PointExtremes, Posture, Reaction, Recoil, RopeUse, SheetStress, StepSize, StowedState, Summary,
+    TargetCoverage, Tension,
 };
 
 /// A section of the summary, with its rows of the table.
@@ -23,7 +23,7 @@ pub struct Section {
 }
 
 /// The sections, in the order of a designer's interest.
-pub const SECTIONS: [Section; 17] = [
+pub const SECTIONS: [Section; 18] = [
     Section { key: "opening", title: "Opening", rows: &[Opening::QUANTITIES] },
     Section { key: "places", title: "Where it is", rows: &[Place::QUANTITIES] },
     Section { key: "mouth", title: "Mouth", rows: &[Mouth::QUANTITIES] },
@@ -34,6 +34,7 @@ pub const SECTIONS: [Section; 17] = [
         title: "Tension",
         rows: &[Tension::QUANTITIES, ClassTension::QUANTITIES, RopeUse::QUANTITIES],
     },
+    Section { key: "reactions", title: "Supports", rows: &[Reaction::QUANTITIES] },
     Section { key: "posture", title: "Posture", rows: &[Posture::QUANTITIES] },
     Section {
         key: "points",
@@ -84,6 +85,7 @@ pub fn expected(landmarks: &Landmarks, has_section: impl Fn(&str) -> bool) -> Ve
         match path.split_once(".*").map_or("", |(map, _)| map) {
             "points" => points.chain(Landmarks::ALWAYS_NAMED).map(str::to_owned).collect(),
             "places" => Places::MOMENTS.map(str::to_owned).to_vec(),
+            "reactions" => landmarks.supports.iter().map(|support| support.name.clone()).collect(),
             "tension.by_class" => landmarks.classes.iter().map(|class| class.name.clone()).collect(),
             "tension.by_rope" => landmarks.ropes.iter().map(|rope| rope.name.clone()).collect(),
             "launch.tractors" => (1..=landmarks.corners.len()).map(|corner| corner.to_string()).collect(),
@@ -183,6 +185,7 @@ mod tests {
         summary.tension.by_class.insert("ring".into(), ClassTension::default());
         summary.tension.by_rope.insert("rope".into(), RopeUse::default());
         summary.energy.channels.insert("elastic".into(), 0.0);
+        summary.reactions.insert("supports".into(), Reaction::default());
         serde_json::to_value(summary).unwrap()
     }
 

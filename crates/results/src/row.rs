@@ -12,7 +12,7 @@ use netcast_dynamics::simulate::Frame;
 use crate::column::{Column, ColumnOf};
 use crate::geometry::mean;
 use crate::landmarks::{Landmark, Landmarks};
-use crate::measures::{StepMeasures, WebState, web};
+use crate::measures::{StepMeasures, WebState, reaction, web};
 use crate::quantity::Dimension::{Area, Energy, Force, Length, Speed, Time};
 
 /// A record of a run.
@@ -89,6 +89,13 @@ const POINT_PEAKS: &[OfPoint] = &[
     }),
 ];
 
+/// Columns of a support.
+const SUPPORT: &[ColumnOf<DVec3>] = &[
+    (Column::new("{}_reaction_x_n", Force, "Force of a support on what it holds or drives, x."), |at| Some(at.x)),
+    (Column::new("{}_reaction_y_n", Force, "Force of a support on what it holds or drives, y."), |at| Some(at.y)),
+    (Column::new("{}_reaction_z_n", Force, "Force of a support on what it holds or drives, z."), |at| Some(at.z)),
+];
+
 /// Tension of a link class at a record, N.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ClassTensions {
@@ -118,7 +125,7 @@ const CHANNEL: Column =
 /// The name of what the channels leave unexplained.
 const RESIDUAL: &str = "residual";
 
-/// The columns of the history with what each is of: `POINT`, `CLASS`, `CHANNEL`, or nothing.
+/// The columns of the history with what each is of: `POINT`, `CLASS`, `CHANNEL`, `SUPPORT`, or nothing.
 pub fn columns() -> impl Iterator<Item = (Column, &'static str)> {
     let run = RUN.iter().map(|(column, _)| (*column, ""));
     let points = POINT.iter().map(|(column, _)| (*column, "POINT"));
@@ -128,7 +135,8 @@ pub fn columns() -> impl Iterator<Item = (Column, &'static str)> {
     let point_peaks = POINT_PEAKS.iter().map(|(column, _)| (*column, "POINT"));
     let class_peaks = CLASS_PEAKS.iter().map(|(column, _)| (*column, "CLASS"));
     let peaks = run_peaks.chain(point_peaks).chain(class_peaks);
-    run.chain(points).chain(classes).chain([(CHANNEL, "CHANNEL")]).chain(web).chain(peaks)
+    let supports = SUPPORT.iter().map(|(column, _)| (*column, "SUPPORT"));
+    run.chain(points).chain(classes).chain([(CHANNEL, "CHANNEL")]).chain(web).chain(peaks).chain(supports)
 }
 
 /// How the rows of a run are laid out.
@@ -163,6 +171,9 @@ impl RowLayout {
         for class in &landmarks.classes {
             names.extend(CLASS_PEAKS.iter().map(|(column, _)| of_each(column, &class.name)));
         }
+        for support in &landmarks.supports {
+            names.extend(SUPPORT.iter().map(|(column, _)| of_each(column, &support.name)));
+        }
         let mut seen = BTreeSet::new();
         let kept: Vec<bool> = names.iter().map(|name| seen.insert(name.clone())).collect();
         let columns = names.into_iter().zip(&kept).filter(|(_, kept)| **kept).map(|(name, _)| name).collect();
@@ -190,6 +201,10 @@ impl RowLayout {
         }
         for tensions in &record.class_tensions {
             row.extend(CLASS_PEAKS.iter().map(|(_, value)| value(tensions)));
+        }
+        for support in &landmarks.supports {
+            let reaction = reaction(support, frame.net);
+            row.extend(SUPPORT.iter().map(|(_, value)| value(&reaction)));
         }
         let kept = row.into_iter().zip(&self.kept).filter(|(_, kept)| **kept);
         // what overflows as a run diverges has no value

@@ -6,7 +6,8 @@ use super::blocks::{KnotState, Nodes, Ropes, blocks};
 use super::motion::Motion;
 use super::passes::AirNow;
 pub use super::passes::Vectors;
-use super::rupture::Failing;
+pub use super::rupture::Failure;
+use super::rupture::failing;
 use super::start::started;
 use crate::channel::{ByChannel, Channel};
 use crate::effects::{self, EffectForces, Effects, Launching, carried_velocities};
@@ -36,17 +37,6 @@ impl Default for Engine {
     fn default() -> Self {
         Engine { threads: 1, vectors: Vectors::Widest, least_slots_for_threads: LEAST_SLOTS_FOR_THREADS }
     }
-}
-
-/// A segment that breaks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Failure {
-    /// Which segment.
-    pub segment: usize,
-    /// Its tension, N, which acts for the last time.
-    pub tension: f64,
-    /// Elastic energy that it holds, J.
-    pub energy: f64,
 }
 
 /// Sums of a step over the whole net.
@@ -168,7 +158,7 @@ impl<'a> Stepper<'a> {
             knot_states: nodes.iter().map(|block| vec![KnotState::default(); block.home_count()]).collect(),
             nodes,
             ropes,
-            slots: if effects.is_some() { system.layout().slots_by_node() } else { Vec::new() },
+            slots: system.layout().slots_by_node(),
             effects,
             taken,
             moved: false,
@@ -436,6 +426,17 @@ impl<'a> Stepper<'a> {
         mass * DVec3::from_array(self.acceleration(node))
     }
 
+    /// The force with which its support acts on a held or driven node, N: it balances ropes, effects and weight at the last
+    /// forces.
+    pub fn reaction(&self, node: usize) -> DVec3 {
+        let of_effects = self.effects.as_ref().map_or(DVec3::ZERO, |effects| effects.forces().force[node]);
+        // ropes do not tell each other of a node that rests: it is asked for in every slot
+        let homes = self.system.layout().homes();
+        let net = Blocks { nodes: &self.nodes, ropes: &self.ropes, slots: &self.slots, homes };
+        let weight = self.system.mass()[node] * self.system.environment().gravity;
+        -(net.with_ropes(node, of_effects) + weight)
+    }
+
     /// The torque on each body at the last forces, N m, (bodies,).
     pub fn torques(&self) -> &[DVec3] {
         self.effects.as_ref().map_or(&[][..], |effects| &effects.forces().torque)
@@ -484,13 +485,4 @@ impl Net for Blocks<'_> {
     fn with_ropes(&self, node: usize, force: DVec3) -> DVec3 {
         self.slots[node].iter().fold(force, |force, at| force + self.ropes[at.block].force_on(at.slot))
     }
-}
-
-/// The segments that break under the last tensions of these blocks.
-fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = Failure> + use<'r> {
-    ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
-        let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-        let failure = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
-        ropes.failing.iter().map(failure)
-    })
 }

@@ -4,6 +4,7 @@
 //! ```text
 //!  steps     areas, points, tensions, posture                    every step
 //!  cloth     stress of sheets                                    every step
+//!  reactions the force of each support                          every step
 //!  moments   the net at the highest tension, the largest area    the steps where they are
 //!  web       silhouette, mouth, target, flight                   checks
 //!  ropes     least and mean tension of each kind of rope         checks
@@ -14,6 +15,7 @@ mod flight;
 mod moments;
 mod mouth;
 mod peak;
+mod reactions;
 mod ropes;
 mod silhouette;
 mod since_record;
@@ -30,11 +32,13 @@ use crate::landmarks::Landmarks;
 use crate::summary::{EnergyBalance, Summary};
 
 use cloth::ClothMeasures;
-use moments::{Moments, rope_tension};
+use moments::Moments;
+use reactions::ReactionMeasures;
 use ropes::RopeMeasures;
 use web::WebMeasures;
 
 pub(crate) use moments::{KeptFrame, MomentFrames};
+pub(crate) use reactions::reaction;
 pub use steps::OPEN_SHARE;
 pub(crate) use steps::StepMeasures;
 pub(crate) use web::WebState;
@@ -61,6 +65,7 @@ pub struct Measures {
     at_checks: WebMeasures,
     ropes: RopeMeasures,
     cloth: ClothMeasures,
+    reactions: ReactionMeasures,
     moments: Moments,
     /// Records so far.
     pub(crate) rows: u64,
@@ -77,6 +82,7 @@ impl Measures {
             at_checks: WebMeasures::new(&of.web_mass, reference),
             ropes: RopeMeasures::new(of.landmarks.ropes.len()),
             cloth: ClothMeasures::default(),
+            reactions: ReactionMeasures::new(&of.landmarks),
             moments: Moments::default(),
             rows: 0,
             last_time: 0.0,
@@ -86,14 +92,15 @@ impl Measures {
 
     /// Whether it is of a web with such landmarks.
     pub(crate) fn fit(&self, landmarks: &Landmarks) -> bool {
-        self.at_steps.fit(landmarks) && self.ropes.fit(landmarks)
+        self.at_steps.fit(landmarks) && self.ropes.fit(landmarks) && self.reactions.fit(landmarks)
     }
 
     /// Takes a step into account. Returns whether the net that it leads to is one of the moments that are kept.
     pub(crate) fn step(&mut self, of: &Measured, live: &Live) -> bool {
         self.at_steps.step(&of.landmarks, live);
         self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
-        self.moments.step(self.at_steps.glance(&of.landmarks))
+        self.reactions.step(&of.landmarks, live);
+        self.moments.step(self.at_steps.glance(&of.landmarks), live)
     }
 
     /// Keeps the net at a moment.
@@ -101,7 +108,7 @@ impl Measures {
         let area = of.landmarks.outline_area(|node| frame.position[node]);
         let area = area.map(|area| area.dot(of.landmarks.axis).abs());
         let is_open = self.at_steps.glance(&of.landmarks).is_open;
-        self.moments.keep(frame, rope_tension(of, frame.tension), area, is_open);
+        self.moments.keep(frame, area, is_open);
     }
 
     /// Takes a check into account.
@@ -112,6 +119,7 @@ impl Measures {
         self.ropes.add(landmarks, frame.tension, &of.groups);
         let group_of = |segment: usize| of.groups[segment];
         self.at_steps.check(landmarks, frame.time, frame.velocity, frame.tension, &group_of);
+        self.reactions.check(landmarks, frame);
         self.last_residual = frame.residual;
         self.last_time = frame.time;
     }
@@ -137,12 +145,14 @@ impl Measures {
     /// asked to reach, closure and closure of the web.
     pub(crate) fn finish(self, of: &Measured, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
         let places = self.at_checks.places(&of.landmarks, &of.web_mass, &self.moments());
-        let Self { at_steps, at_checks, ropes, cloth, moments: _, rows: _, last_time: _, last_residual } = self;
+        let Self { at_steps, at_checks, ropes, cloth, reactions, moments: _, rows: _, last_time: _, last_residual } =
+            self;
         let landmarks = &of.landmarks;
         let mut summary = Summary::default();
         ropes.finish(landmarks, |rope| at_steps.largest_in_rope(landmarks, rope), &mut summary);
         summary.canopies = cloth.finish(&of.membranes, landmarks);
         summary.places = places;
+        reactions.finish(landmarks, &mut summary);
         at_checks.finish(landmarks, &mut summary);
         at_steps.finish(landmarks, &mut summary);
         let (ledger, balance) = (outcome.ledger, outcome.balance);

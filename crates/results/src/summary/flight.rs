@@ -66,6 +66,22 @@ impl Places {
 }
 
 section! {
+    /// Force of a support on what it holds or drives.
+    Reaction, "reactions.*" {
+        /// Largest magnitude, over every step.
+        peak_n: Option<f64> => "Largest reaction of {}", Force;
+        /// When it occurred.
+        peak_time_s: Option<f64> => "Time of the largest reaction of {}", Time, not_in_table;
+        /// Its part along x of the world at the end.
+        x_n: Option<f64> => "Reaction of {} at the end, x", Force;
+        /// Its part along y of the world at the end.
+        y_n: Option<f64> => "Reaction of {} at the end, y", Force;
+        /// Its part along z of the world, upward, at the end.
+        z_n: Option<f64> => "Reaction of {} at the end, z", Force;
+    }
+}
+
+section! {
     /// Extremes of one point over every step.
     PointExtremes, "points.*" {
         /// Highest speed.

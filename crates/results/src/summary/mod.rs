@@ -25,7 +25,7 @@ use crate::{ResultError, json};
 
 pub use computation::{EnergyBalance, ModelSize, StepSize};
 pub use file::SummaryFile;
-pub use flight::{AirMet, Flight, Place, Places, PointExtremes};
+pub use flight::{AirMet, Flight, Place, Places, PointExtremes, Reaction};
 pub use launch::{Departure, Departures, Equilibrium, Recoil, StowedState};
 pub use opening::{Mouth, Opening, Posture, TargetCoverage};
 pub use ropes::{BrokenSegment, ClassTension, RopeUse, SheetStress, Tension};
@@ -63,6 +63,9 @@ pub struct Summary {
     pub places: Places,
     /// Extremes of each feature point and of `tractor`, `corner` and `centre`; `None` if the web has no such point.
     pub points: BTreeMap<String, Option<PointExtremes>>,
+    /// The force of each support on what it holds or drives, and of all of them together, `supports`; empty where nothing is
+    /// held.
+    pub reactions: BTreeMap<String, Reaction>,
     /// Rope tension.
     #[serde(default = "missing_section")]
     pub tension: Tension,
@@ -114,6 +117,7 @@ impl Summary {
         require_finite("opening", &self.opening)?;
         require_finite("places", &self.places)?;
         require_finite("points", &self.points)?;
+        require_finite("reactions", &self.reactions)?;
         require_finite("tension", &self.tension)?;
         require_finite("breaks", &self.breaks)?;
         require_finite("posture", &self.posture)?;
