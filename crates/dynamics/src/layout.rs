@@ -1,38 +1,38 @@
-//! How a net lies in memory: ropes as unbroken runs of slots, knots apart.
+//! The order of nodes and segments in memory: each run of rope fills consecutive slots.
 //!
-//! A *run* is a walk along segments of one class that uses each segment once. Its nodes are copied, in order, into
+//! A *run* is a walk along segments of one group that uses each segment once. Its nodes are copied, in order, into
 //! *slots*; the segment of slot `i` joins it to slot `i + 1`, so that the hot loop reads its neighbours without an
-//! index. The last slot of a node is its *home*, where it is advanced. A node that lies in several slots is a *knot*:
-//! before it is advanced its home collects the forces of its other slots in ascending order, afterwards these get its
-//! new values. That order is fixed by the layout alone, hence the same bits for any number of threads.
+//! index. The last slot of a node is its *home*, where the node is advanced. A node with several slots is a *knot*. Before
+//! a knot is advanced, its home adds up the forces of its other slots, in ascending order. Afterwards the other slots get
+//! the new values. The layout alone fixes that order, so any number of threads gives the same bits.
 //!
-//! Runs of one class fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A
-//! run that does not fit is continued in the next block, and the node at the cut becomes a knot.
+//! Runs of one group fill *blocks* of at most [`BLOCK_SLOTS`] slots, the unit of work of a thread and of the cache. A run
+//! that does not fit continues in the next block, and the node at the cut becomes a knot.
 
 use crate::forces::segment::Segment;
 
-/// Largest number of slots in a block: what a core's first-level cache holds of one step's data.
+/// Largest number of slots in a block: the data of one step for them fits a core's first-level cache.
 pub const BLOCK_SLOTS: usize = 512;
 
-/// A place of a node in a block.
+/// A place of a node in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Slot {
-    /// The node whose copy lies here.
+    /// The node of which this slot has a copy.
     pub node: usize,
-    /// The segment from this slot to the next; none at the end of a run.
+    /// The segment from this slot to the next; `None` at the end of a run.
     pub segment: Option<usize>,
 }
 
-/// Consecutive slots whose segments are of one class.
+/// The slots of one block; their segments are of one group.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BlockPlan {
-    /// Link class of all its segments; the number of classes where it has none.
-    pub class: usize,
+    /// The group of all its segments; the number of groups if it has no segments.
+    pub group: usize,
     /// The slots, run after run.
     pub slots: Vec<Slot>,
 }
 
-/// A slot of a block.
+/// Where a slot lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Address {
     /// Index of the block.
@@ -41,7 +41,7 @@ pub struct Address {
     pub slot: usize,
 }
 
-/// The slots and homes of a net.
+/// The blocks of a net, and the slots of its nodes and segments.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layout {
     blocks: Vec<BlockPlan>,
@@ -51,7 +51,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Lays out `segments` between `nodes` nodes, of which those that are `resting` never move. Takes O(nodes + segments) time.
+    /// Lays out `segments` between `nodes` nodes in O(nodes + segments) time. `resting`, (nodes,): whether a node never moves.
     pub fn new(nodes: usize, segments: &[Segment], resting: &[bool], class_count: usize) -> Layout {
         let mut blocks = Vec::new();
         for class in 0..class_count {
@@ -69,29 +69,29 @@ impl Layout {
             }
         }
         let homes = slots_of.iter().map(|slots| *slots.last().expect("every node has a slot")).collect();
-        // a node that rests is where it is in every slot: there is nothing to exchange
+        // a resting node has the same place in every slot: there is nothing to exchange
         let exchanging = slots_of.into_iter().zip(resting).filter(|(slots, resting)| slots.len() > 1 && !**resting);
         let mut knots: Vec<Vec<Address>> = exchanging.map(|(slots, _)| slots).collect();
         knots.sort_unstable_by_key(|slots| slots.last().copied());
         Layout { blocks, homes, knots, segment_slots }
     }
 
-    /// The blocks, classes in order.
+    /// The blocks, in the order of the groups.
     pub fn blocks(&self) -> &[BlockPlan] {
         &self.blocks
     }
 
-    /// Where each node is advanced; shape (nodes,).
+    /// The home of each node; shape (nodes,).
     pub fn homes(&self) -> &[Address] {
         &self.homes
     }
 
-    /// The slots of each moving node that lies in several, ascending: the last is its home. By home, ascending.
+    /// The slots of each knot that can move, ascending, so the last is its home. Knots are in the order of their homes.
     pub fn knots(&self) -> &[Vec<Address>] {
         &self.knots
     }
 
-    /// Where each segment starts; shape (segments,).
+    /// The slot in which each segment starts; shape (segments,).
     pub fn segment_slots(&self) -> &[Address] {
         &self.segment_slots
     }
@@ -118,11 +118,11 @@ fn slots_by_node(nodes: usize, blocks: &[BlockPlan]) -> Vec<Vec<Address>> {
     slots_of
 }
 
-/// Walks that together use every segment of `class` once: each a list of slots.
+/// Walks that together use every segment of `group` once, each as a list of slots.
 ///
-/// Walks start first where an odd number of segments meets (a walk must end there anyway), then on what is left,
-/// closed loops. At a node the walk takes the first unused segment in the order given, so that a rope stays in one
-/// run.
+/// The first walks start at nodes where an odd number of segments meet, since a walk must end there anyway. Then only
+/// closed loops are left. At a node a walk takes the first unused segment in the order given, so that a rope stays in
+/// one run.
 fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
     let mut meeting = vec![Vec::new(); nodes];
     for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {
@@ -161,7 +161,7 @@ fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
     found
 }
 
-/// Nodes at which no segment ends, each as a run of its own.
+/// Nodes without a segment, each as a run of its own.
 fn lone_nodes(nodes: usize, segments: &[Segment]) -> Vec<Vec<Slot>> {
     let mut lone = vec![true; nodes];
     for node in segments.iter().flat_map(|s| s.ends) {
@@ -170,7 +170,7 @@ fn lone_nodes(nodes: usize, segments: &[Segment]) -> Vec<Vec<Slot>> {
     (0..nodes).filter(|&node| lone[node]).map(|node| vec![Slot { node, segment: None }]).collect()
 }
 
-/// Fills blocks of one class with runs, cutting those that do not fit.
+/// Fills blocks of one group with runs, and cuts runs that do not fit.
 fn pack(class: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
     let mut open: Vec<Slot> = Vec::new();
     let mut close = |open: &mut Vec<Slot>| {
@@ -183,7 +183,7 @@ fn pack(class: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
             close(&mut open);
         }
         for slot in run {
-            // a full block ends with a copy of the node at which the next one goes on
+            // a full block ends with a copy of the node at which the next block starts
             if open.len() + 1 == BLOCK_SLOTS && slot.segment.is_some() {
                 open.push(Slot { segment: None, ..slot });
                 close(&mut open);

@@ -32,8 +32,8 @@ pub enum StepError {
         /// Where.
         place: Place,
     },
-    /// Nearly all the energy there is was made up: the step does not resolve the motion.
-    #[error("step {step} at {time:.6} s: the net gains energy without end, {residual:.3e} J by now")]
+    /// Nearly all energy of the net is an error of the time integration: the step does not resolve the motion.
+    #[error("step {step} at {time:.6} s: the step is unstable, the net has gained {residual:.3e} J from nowhere")]
     Diverged {
         /// Which step.
         step: u64,

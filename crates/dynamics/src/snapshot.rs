@@ -1,9 +1,9 @@
-//! A snapshot of a run: everything on which its future depends.
+//! A snapshot of a run: all that the future of the run depends on.
 //!
 //! A snapshot is taken at a record, after the observer has seen it and before the step goes on. Positions, half-step
-//! velocities, extrapolated velocities and the state of ropes fix the forces. So neither forces nor tensions are kept:
-//! they are computed again, to the same bits. The work that ropes lose is summed from one length to the next; it is in the losses already
-//! when the snapshot is taken, and over an unchanged length there is none to add. See docs/restart.md.
+//! velocities, extrapolated velocities and the state of ropes determine the forces. So neither forces nor tensions are kept:
+//! they are computed again, to the same bits. The losses of ropes are summed over changes of length. They are complete when the
+//! snapshot is taken, and the first forces after it add nothing, since no length has changed. See docs/restart.md.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ use crate::schedule::Schedule;
 use crate::system::System;
 use crate::time::motion::Motion;
 
-/// A run at a record. It goes on by [`resume`](crate::simulate::resume).
+/// A run at a record; [`resume`](crate::simulate::resume) continues it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     pub(crate) motion: Motion,
@@ -29,7 +29,7 @@ pub struct Snapshot {
 /// Why a run cannot go on from a snapshot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SnapshotError {
-    /// It is one of another system.
+    /// It was taken of another system.
     #[error("the snapshot has {found} {what}, the system has {expected}")]
     Shape {
         /// Which quantity.
@@ -39,16 +39,16 @@ pub enum SnapshotError {
         /// How many the system has.
         expected: usize,
     },
-    /// It is one of another schedule.
-    #[error("the snapshot was taken at step {step}, where the run keeps no record")]
+    /// It was taken on another schedule: this one has no record at its step.
+    #[error("the snapshot was taken at step {step}, where the schedule has no record")]
     Step {
-        /// Its step.
+        /// The step of the snapshot.
         step: u64,
     },
 }
 
 impl Snapshot {
-    /// The step that is next.
+    /// The next step.
     pub fn step(&self) -> u64 {
         self.motion.step
     }

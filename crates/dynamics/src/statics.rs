@@ -104,12 +104,12 @@ pub enum StaticsError {
         iterations: u64,
     },
     /// A force is no longer a finite number.
-    #[error("the relaxation came apart after {iterations} iterations")]
+    #[error("the relaxation diverged: a force is not finite after {iterations} iterations")]
     NotFinite {
         /// Steps taken.
         iterations: u64,
     },
-    /// Whoever was told of the progress asked for it.
+    /// The caller asked for it when it was told of the progress.
     #[error("interrupted after {iterations} iterations")]
     Interrupted {
         /// Steps taken.

@@ -151,23 +151,23 @@ fn a_wrong_table_is_reported_at_its_row() {
     for (belt, expected) in [
         (
             "strain,tension\n0,0\n0.1,5\n0.1,7\n",
-            "4: {}: row 3: expected strains that grow and tensions that do not fall",
+            "4: {}: row 3: expected a larger strain than in the row before, and no smaller tension",
         ),
         (
             "strain,tension\n0.1,5\n0.2,7\n",
-            "2: {}: expected the first row to be the rope at rest: no strain, no tension",
+            "2: {}: expected strain 0 and tension 0 in the first row",
         ),
         ("strain,tension\n0,0\n0.1,x\n", "3: {}: tension: expected a number, found \"x\""),
         ("strain,tension,unloading\n0,0,0\n0.1,5,\n", "3: {}: unloading: expected a number, found nothing"),
         ("strain,force\n0,0\n", "1: {}: unknown column \"force\", expected the columns strain,tension,unloading"),
-        ("strain,tension\n0,0\n", "1: {}: expected two rows or more, and as many values in each column"),
+        ("strain,tension\n0,0\n", "1: {}: expected two rows or more, and the same number of values in each column"),
         (
             "strain,tension,unloading\n0,0,0\n0.1,10,9\n0.2,20,2\n0.3,30,30\n",
-            "4: {}: row 3: expected unloading over loading tension not to fall from row to row",
+            "4: {}: row 3: expected a ratio of unloading to loading tension no smaller than in the row before",
         ),
         (
             "strain,tension,unloading\n0,0,0\n0.1,10,9\n",
-            "1: {}: expected unloading to begin at the tension of the last row, 10 N, found 9 N",
+            "1: {}: expected the same loading and unloading tension in the last row, 10 N, found 9 N",
         ),
     ] {
         assert_eq!(told(belt)[0], format!("belt.csv:{}", expected.replace("{}", table)));

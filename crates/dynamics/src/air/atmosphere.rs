@@ -1,4 +1,4 @@
-//! Density and viscosity of what a net flies through.
+//! Density and viscosity of the medium that a net flies through.
 //!
 //! The standard atmosphere (ISO 2533:1975; ICAO Doc 7488), below 11 km above the sea:
 //!
@@ -7,9 +7,9 @@
 //! T0 = 288.15 K,   L = 6.5 K/km,   rho0 = 1.225 kg/m^3
 //! ```
 //!
-//! Within a flight's heights the power is taken as (T/Tm)^(17/4) (1 + (n - 17/4)(T/Tm - 1)), with Tm the temperature at
-//! the muzzle: arithmetic and square roots only, so that it costs little at every segment. Off by less than 1e-6 within
-//! 500 m, 3e-5 within 3 km. Viscosity is that at the muzzle (Sutherland 1893, constants of ISO 2533).
+//! Around the muzzle, at temperature Tm, the code computes (T/Tm)^n as (T/Tm)^(17/4) (1 + (n - 17/4)(T/Tm - 1)). This needs
+//! only arithmetic and square roots, so it is cheap at every segment. Its relative error is below 1e-6 within 500 m of the
+//! muzzle and below 3e-5 within 3 km. Viscosity is that at the muzzle (Sutherland 1893, constants of ISO 2533).
 
 /// Density and viscosity of a medium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,18 +18,17 @@ pub struct Medium {
     density: f64,
     /// Dynamic viscosity, Pa s.
     viscosity: f64,
-    /// Fall of the temperature with height over the temperature at the muzzle, 1/m; zero in a medium that is the same
-    /// at any height.
+    /// Lapse rate over the temperature at the muzzle, 1/m; zero if density does not change with height.
     lapse: f64,
 }
 
 /// Temperature at sea level, K.
 const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
-/// Fall of the temperature with height, K/m.
+/// Lapse rate: fall of the temperature with height, K/m.
 const LAPSE_RATE: f64 = 6.5e-3;
 /// Density at sea level, kg/m^3.
 const SEA_LEVEL_DENSITY: f64 = 1.225;
-/// The power that density is of temperature: g M / (R L) - 1.
+/// The exponent n = g M / (R L) - 1 of density over temperature.
 const POWER: f64 = 9.80665 * 0.028_964_420 / (8.314_32 * LAPSE_RATE) - 1.0;
 
 impl Medium {
@@ -41,7 +40,7 @@ impl Medium {
         Medium { density, viscosity, lapse: LAPSE_RATE / temperature }
     }
 
-    /// A medium of one density, kg/m^3, and dynamic viscosity, Pa s.
+    /// A medium of constant density, kg/m^3, and dynamic viscosity, Pa s.
     pub fn uniform(density: f64, viscosity: f64) -> Medium {
         Medium { density, viscosity, lapse: 0.0 }
     }
@@ -66,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_the_table_of_the_standard() {
+    fn density_and_viscosity_agree_with_the_table_of_the_standard() {
         // ISO 2533: altitude, density, dynamic viscosity
         for (altitude, density, viscosity) in [
             (0.0, 1.225, 1.7894e-5),
@@ -75,14 +74,14 @@ mod tests {
             (11000.0, 0.36480, 1.4216e-5),
         ] {
             let medium = Medium::standard(altitude);
-            // its altitudes are geopotential, its tables geometric: a thousandth at 11 km
+            // the code takes altitudes as geopotential, the table as geometric: they differ by a thousandth at 11 km
             assert!((medium.density(0.0) / density - 1.0).abs() < 3e-3, "{altitude} m: {}", medium.density(0.0));
             assert!((medium.viscosity() / viscosity - 1.0).abs() < 1e-3, "{altitude} m: {}", medium.viscosity());
         }
     }
 
     #[test]
-    fn above_the_muzzle_it_thins_as_the_standard_says() {
+    fn density_above_the_muzzle_falls_as_in_the_standard() {
         for altitude in [0.0, 2000.0] {
             for (height, tolerance) in [(10.0, 1e-9), (500.0, 1e-6), (-500.0, 1e-6), (3000.0, 4e-5)] {
                 let (here, there) = (Medium::standard(altitude), Medium::standard(altitude + height));

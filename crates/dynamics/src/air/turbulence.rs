@@ -1,29 +1,30 @@
-//! Turbulence: a stationary random wind of a given spectrum, as a sum of waves with random phases.
+//! Turbulence: a stationary random wind of a given spectrum, made of waves with random phases.
 //!
-//! One-sided spectra by frequency f, with standard deviation s, length scale l and mean speed U, x = f l/U:
+//! One-sided spectra over the frequency f, with standard deviation s, length scale l, mean speed U and x = f l/U:
 //!
 //! ```text
 //! von Karman   along   4 s^2 (l/U) / (1 + 70.8 x^2)^(5/6)          across  4 s^2 (l/U) (1 + 755.2 x^2)/(1 + 283.2 x^2)^(11/6)
 //! Dryden       along   4 s^2 (l/U) / (1 + (2 pi x)^2)              across  2 s^2 (l/U) (1 + 3 (2 pi x)^2)/(1 + (2 pi x)^2)^2
 //! ```
 //!
-//! (von Karman 1948, in the form of ESDU 85020; Dryden: MIL-F-8785C, 3.7.2.) Each of [`WAVES`] bands of frequency, equal
-//! in their logarithm, is one wave of the band's whole energy: the variance is exact but for what lies beyond the last
-//! band, and nothing repeats. (Shinozuka & Jan, J. Sound Vib. 25, 1972.) The eddies pass at the mean speed (Taylor 1938).
+//! (von Karman 1948, in the form of ESDU 85020; Dryden: MIL-F-8785C, 3.7.2.) The frequencies are divided into [`WAVES`]
+//! bands of equal width in the logarithm. One wave carries the energy of one band (Shinozuka & Jan, J. Sound Vib. 25, 1972).
+//! So only the variance beyond the last band is lost, and the wind does not repeat. Eddies pass at the mean speed (Taylor
+//! 1938).
 
 use glam::DVec3;
 
 use super::wind::Series;
 
-/// Waves that a component is made of.
+/// Number of waves in each component.
 pub const WAVES: usize = 160;
 
 /// The shape of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spectrum {
-    /// Von Karman's: falls as f^(-5/3).
+    /// Von Karman's, which falls as f^(-5/3).
     VonKarman,
-    /// Dryden's: falls as f^-2.
+    /// Dryden's, which falls as f^-2.
     Dryden,
 }
 
@@ -32,17 +33,17 @@ pub enum Spectrum {
 pub struct Turbulence {
     /// The shape of its spectrum.
     pub spectrum: Spectrum,
-    /// Standard deviations along the mean, across it and upwards, m/s.
+    /// Standard deviations along the mean wind, across it and upwards, m/s.
     pub deviation: [f64; 3],
-    /// Length scales of these, m.
+    /// Length scales of these components, m.
     pub scale: [f64; 3],
-    /// Mean speed at which eddies pass, m/s.
+    /// Mean speed, at which eddies pass, m/s.
     pub speed: f64,
 }
 
-/// Highest frequency, 1/s: faster changes of wind do nothing to a net.
+/// Highest frequency, 1/s: a net does not respond to faster changes of the wind.
 const HIGHEST: f64 = 50.0;
-/// Entries of the table a period of that.
+/// Entries of the table in one period of the highest frequency.
 const PER_PERIOD: f64 = 10.0;
 
 impl Turbulence {
@@ -64,8 +65,8 @@ impl Turbulence {
         }
     }
 
-    /// Velocity that it adds to the mean wind, m/s, during `duration` seconds, along the unit vectors `axes`. `random` gives numbers between
-    /// 0 and 1, three for each wave.
+    /// Velocity that turbulence adds to the mean wind, m/s, during `duration` seconds. `axes` are the unit vectors of its
+    /// components; `random` returns numbers between 0 and 1 and is called three times for each wave.
     pub fn series(&self, axes: [DVec3; 3], duration: f64, mut random: impl FnMut() -> f64) -> Series<DVec3> {
         let spacing = 1.0 / (PER_PERIOD * HIGHEST);
         let count = (duration / spacing).ceil() as usize + 1;
@@ -85,7 +86,7 @@ impl Turbulence {
 
     /// Frequency, 1/s, and amplitude, m/s, of a wave.
     fn wave(&self, component: usize, wave: usize) -> (f64, f64) {
-        // from far below the knee of the spectrum, the first band reaching down to zero
+        // the bands start far below the knee of the spectrum; the first reaches down to zero
         let lowest = 1e-3 * self.speed / self.scale[component];
         let ratio = libm::pow(HIGHEST / lowest, 1.0 / WAVES as f64);
         let to = lowest * libm::pow(ratio, wave as f64 + 1.0);
@@ -116,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_spectra_hold_the_variance() {
+    fn each_spectrum_integrates_to_the_variance() {
         for spectrum in [Spectrum::VonKarman, Spectrum::Dryden] {
             let turbulence = turbulence(spectrum);
             for component in 0..3 {
@@ -142,8 +143,8 @@ mod tests {
                 let variance = values.iter().map(|v| v * v).sum::<f64>() / n;
                 let asked = turbulence.deviation[component] * turbulence.deviation[component];
                 assert!((variance / asked - 1.0).abs() < 0.1, "{spectrum:?} {component}: {}", variance / asked);
-                // energy between two frequencies, by a discrete Fourier transform of those frequencies alone
-                // every tenth value will do for it
+                // energy between two frequencies, by a discrete Fourier transform of those frequencies alone;
+                // every tenth value is enough for it
                 let values: Vec<f64> = values.into_iter().step_by(10).collect();
                 let n = values.len() as f64;
                 let (low, high, time) = (0.5, 1.5, n * 10.0 * series.spacing);

@@ -1,13 +1,12 @@
-//! How the medium moves: a mean that grows with height, and what is added to it in the course of time.
+//! Wind: a mean speed that depends on height, and a fluctuation that depends on time.
 //!
-//! A net is small against the eddies that matter to it, so what changes in time is the same all over the net. The mean
-//! is tabulated by height, the rest by time, and both are interpolated linearly: a wind costs a net the same, however it
-//! came about. The functions here make profiles and gusts,
-//! [`turbulence`](super::turbulence) the rest.
+//! A net is small against the eddies that move it, so the fluctuation is the same all over the net. The mean is a table
+//! over height and the fluctuation is a table over time; both are interpolated linearly, so every wind costs the same. The
+//! functions here make profiles and gusts; [`turbulence`](super::turbulence) makes random winds.
 
 use glam::DVec3;
 
-/// A wind.
+/// Mean wind over height and fluctuation over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wind {
     /// Direction of the mean, a unit vector.
@@ -18,24 +17,24 @@ pub struct Wind {
     pub fluctuation: Series<DVec3>,
 }
 
-/// Values at equal distances of one variable, joined by straight lines; constant beyond the first and the last.
+/// A table of equally spaced values, interpolated linearly; constant before the first and after the last.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series<T> {
-    /// Where the first value stands.
+    /// Height, m, or time, s, of the first value.
     pub first: f64,
-    /// From one value to the next.
+    /// Spacing between values, m or s.
     pub spacing: f64,
-    /// The values; at least one.
+    /// The values, at least one.
     pub values: Vec<T>,
 }
 
 impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>> Series<T> {
-    /// The same value everywhere.
+    /// A table of one value.
     pub fn constant(value: T) -> Series<T> {
         Series { first: 0.0, spacing: 1.0, values: vec![value] }
     }
 
-    /// The value at `place`.
+    /// The value at a height, m, or a time, s.
     #[inline(always)]
     pub fn at(&self, place: f64) -> T {
         let last = self.values.len() - 1;
@@ -58,7 +57,7 @@ impl Wind {
         Wind::uniform(DVec3::X, 0.0)
     }
 
-    /// The same speed, m/s, at every height and time, along a unit vector.
+    /// A wind of constant `speed`, m/s, along a unit vector.
     pub fn uniform(direction: DVec3, speed: f64) -> Wind {
         Wind { direction, mean: Series::constant(speed), fluctuation: Series::constant(DVec3::ZERO) }
     }
@@ -69,20 +68,21 @@ impl Wind {
     }
 }
 
-/// The mean speed, m/s, as a power of the height z above the ground: u (z/z_ref)^p (Hellmann 1919). `muzzle` is the
-/// height of the muzzle above the ground, m; tabulated up to `top` above it.
+/// The mean speed, m/s, as a power of the height z above the ground: u (z/z_ref)^p (Hellmann 1919). `speed` u, m/s, at the
+/// height `reference` z_ref, m. `muzzle` is the height of the muzzle above the ground, m. The table ends at `top`, m above
+/// the muzzle.
 pub fn power_law(speed: f64, reference: f64, power: f64, muzzle: f64, top: f64) -> Series<f64> {
     profile(muzzle, top, |height| speed * libm::pow(height / reference, power))
 }
 
-/// The mean speed, m/s, as the logarithm of the height z above the ground: u ln(z/z0) / ln(z_ref/z0), none below the
-/// roughness length z0, m (Prandtl's law of the wall; neutral stability).
+/// The mean speed, m/s, as the logarithm of the height z above the ground: u ln(z/z0) / ln(z_ref/z0), and 0 below the
+/// roughness length z0, m (Prandtl's law of the wall; neutral stability). The other parameters are those of [`power_law`].
 pub fn logarithmic(speed: f64, reference: f64, roughness: f64, muzzle: f64, top: f64) -> Series<f64> {
     let scale = speed / libm::log(reference / roughness);
     profile(muzzle, top, |height| if height > roughness { scale * libm::log(height / roughness) } else { 0.0 })
 }
 
-/// Distance of the entries of a profile, m.
+/// Spacing of the entries of a profile, m.
 const PROFILE_SPACING: f64 = 0.1;
 
 fn profile(muzzle: f64, top: f64, speed: impl Fn(f64) -> f64) -> Series<f64> {
@@ -91,8 +91,8 @@ fn profile(muzzle: f64, top: f64, speed: impl Fn(f64) -> f64) -> Series<f64> {
     Series { first: -muzzle, spacing: PROFILE_SPACING, values }
 }
 
-/// A gust: it rises and falls as (1 - cos)/2 to `speed`, m/s, within `duration`, s, from `start` on (the discrete gust
-/// of IEC 61400-1 and CS-25.341 in its plain form); tabulated every `spacing` seconds.
+/// The speed of a gust, m/s: from `start`, s, it rises to `speed`, m/s, and falls again as (1 - cos)/2 within `duration`, s.
+/// This is the plain form of the discrete gust of IEC 61400-1 and CS-25.341. One entry every `spacing` seconds or less.
 pub fn gust(speed: f64, start: f64, duration: f64, spacing: f64) -> Series<f64> {
     let count = (duration / spacing).ceil().max(1.0) as usize;
     let spacing = duration / count as f64;

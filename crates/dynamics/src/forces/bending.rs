@@ -1,15 +1,15 @@
-//! Bending of a rope at a node between two segments: a discrete elastic rod that is naturally straight and does not
-//! resist twist.
+//! Bending of a rope at a node between two segments: a discrete elastic rod, straight at rest, without torsional
+//! stiffness.
 //!
 //! ```text
-//! W = (EI / l) |t_2 - t_1|^2 / 2        t_i directions of the segments, l the mean of their rest lengths
+//! W = (EI / l) |t_2 - t_1|^2 / 2        t_i: directions of the segments; l: mean of their rest lengths, m
 //! ```
 //!
 //! EI is the bending stiffness, N m^2; |t_2 - t_1| / l is the curvature at the node. Source: Bergou, Wardetzky,
-//! Robinson, Audoly, Grinspun, "Discrete elastic rods", ACM Transactions on Graphics 27 (2008) 63, section 4.2, with
-//! the chord for their curvature binormal, for the reasons given in `fold.rs`; second order in l either way. Valid for
-//! ropes that are thin against l and curves that are wide against l; a rope without compressive stiffness (one that
-//! goes slack) keeps the moments but shortens under them as it likes.
+//! Robinson, Audoly, Grinspun, "Discrete elastic rods", ACM Transactions on Graphics 27 (2008) 63, section 4.2. The chord
+//! replaces their curvature binormal, for the reasons in `fold.rs`; both are of second order in l. The law is valid where
+//! the diameter of the rope is small against l and l is small against the radius of curvature. A slack rope still has
+//! bending moments, but no force keeps its length.
 //!
 //! Derivation, bound and tests: docs/theory/bending.md.
 
@@ -17,7 +17,7 @@ use super::element::{Element, ElementError, ElementForces, Property, distinct, n
 use super::fold::{FLOOR, Fold};
 use glam::DVec3;
 
-/// The bend between two segments.
+/// The bending element between two segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bending {
     nodes: [usize; 3],
@@ -27,8 +27,8 @@ pub struct Bending {
 }
 
 impl Bending {
-    /// The bend at the second of three nodes along a rope. `rest_lengths` of the segments before and after it, m;
-    /// `bending_stiffness` EI, N m^2; `damping_time` of the material, s.
+    /// The element at the second of three nodes along a rope. `rest_lengths`: of the segments before and after that node,
+    /// m. `bending_stiffness`: EI, N m^2. `damping_time`: damping over stiffness, s.
     ///
     /// # Errors
     /// A node that occurs twice; a property that is out of range or not a number.
@@ -59,7 +59,7 @@ impl Bending {
     }
 }
 
-/// Largest stiffness of any shape over that of the straight rope: that of segments that have lost their length.
+/// Largest stiffness in any shape, over that of the straight rope. It occurs where segments have shortened to nothing.
 const SHARPEST: f64 = 1.0 / (FLOOR * FLOOR);
 
 fn segments([a, b, c]: [DVec3; 3]) -> [DVec3; 2] {
@@ -109,7 +109,7 @@ mod tests {
         Bending::new([4, 2, 9], [0.5, 0.7], BENDING_STIFFNESS, 0.02).unwrap()
     }
 
-    /// A bend of two segments of 1 m, and its nodes with segments of these lengths at this angle.
+    /// An element with rest lengths of 1 m, and its nodes with segments of these lengths, m, at this angle, rad.
     fn even(lengths: [f64; 2], angle: f64) -> (Bending, [DVec3; 3]) {
         let bend = Bending::new([0, 1, 2], [1.0, 1.0], BENDING_STIFFNESS, 0.02).unwrap();
         let (sin, cos) = libm::sincos(angle);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_a_bend_is_refused() {
+    fn wrong_nodes_lengths_and_properties_are_refused() {
         assert!(Bending::new([0, 1, 0], [1.0, 1.0], 1.0, 0.0).is_err());
         assert!(Bending::new([0, 1, 2], [1.0, 0.0], 1.0, 0.0).is_err());
         assert!(Bending::new([0, 1, 2], [1.0, 1.0], f64::INFINITY, 0.0).is_err());
@@ -167,7 +167,7 @@ mod tests {
         }
 
         #[test]
-        fn forces_are_what_they_must_be(
+        fn forces_are_gradients_and_internal_and_turn_with_the_nodes(
             x in prop::array::uniform3(point(0.7)),
             w in prop::array::uniform3(point(1.0)),
         ) {

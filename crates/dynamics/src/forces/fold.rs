@@ -1,42 +1,42 @@
-//! The energy of an angle between two directions: what bends in a rope and at a hinge.
+//! The elastic energy of the angle between two directions, for bends of ropes and hinges of sheets.
 //!
 //! ```text
 //! W = K |t_b - t_a|^2 / 2 = K (1 - cos phi) = 2 K sin^2(phi/2),        t = v/|v|
 //! ```
 //!
-//! K is the stiffness against the angle, N m; v the vectors that fold, segments of a rope or normals of triangles.
-//! The chord |t_b - t_a| = 2 sin(phi/2) stands for the angle phi: to second order they agree, the moment K sin phi is
-//! bounded and its slope is nowhere larger than at phi = 0, so that one step is stable for every fold, and nothing is
-//! singular where a net lies folded back on itself. (2 tan(phi/2), the binormal of Bergou et al. 2008, is no nearer
-//! to phi and has a pole there.)
+//! K is the stiffness against the angle phi, N m. v are two vectors: segments of a rope, or normals of triangles. The chord
+//! |t_b - t_a| = 2 sin(phi/2) replaces phi, with which it agrees to second order. The moment K sin phi is bounded and its
+//! slope is largest at phi = 0, so one step is stable for every angle. It is finite even at phi = pi, where the net lies
+//! folded back on itself. (The curvature binormal 2 tan(phi/2) of Bergou et al. 2008 is no nearer to phi and has a pole
+//! there.)
 //!
-//! **Vectors that lose their length** lose their direction: t = v r(|v|)/|v| with r = 1 while |v| is more than
-//! 0.8 of its rest length, r = |v| / (0.64 rest lengths) below 0.48 of it, and a parabola between that joins both
-//! smoothly. Force and stiffness stay finite to where nodes coincide.
+//! **Short vectors.** The direction of a vector of length 0 is not defined. So t = v r(|v|)/|v|, with r = 1 while |v| is
+//! more than 0.8 of its rest length, and r = |v| / (0.64 rest lengths) below 0.48 of it. A parabola joins both smoothly.
+//! Force and stiffness stay finite even where nodes coincide.
 //!
-//! **Damping** takes the rate of the chord and nothing else, W = K time (d|t_b - t_a|/dt)^2: an angle is all that two
-//! directions know of each other that does not turn with them. Derivation: docs/theory/bending.md.
+//! **Damping** acts against the rate of the chord: the power lost is K time (d|t_b - t_a|/dt)^2, W. A rotation of both
+//! vectors together does not change the chord, so it is not damped. Derivation: docs/theory/bending.md.
 
 use glam::DVec3;
 
-/// Share of its rest length by which a short vector is divided.
+/// A short vector is divided by this share of its rest length.
 pub(super) const FLOOR: f64 = 0.64;
 
-/// Half the width of the parabola, in floors.
+/// Half the width of the parabola over `FLOOR` rest lengths.
 const ROUND: f64 = 0.25;
 
-/// A stiffness between two directions.
+/// A rotational spring and damper between the directions of two vectors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fold {
     /// K, N m.
     stiffness: f64,
     /// Damping over stiffness, s.
     damping_time: f64,
-    /// Lengths by which short vectors are divided, in the vectors' unit.
+    /// The length by which each vector is divided when it is short, in the vectors' unit.
     floor: [f64; 2],
 }
 
-/// A direction and how it follows from its vector.
+/// The direction t of a vector v, and its derivative.
 struct Direction {
     t: DVec3,
     axis: DVec3,
@@ -66,7 +66,7 @@ impl Direction {
 }
 
 impl Fold {
-    /// `stiffness` in N m, `damping_time` in s, `rest` the lengths of the two vectors at rest.
+    /// `stiffness`: K, N m. `damping_time`: damping over stiffness, s. `rest`: lengths of the two vectors at rest.
     pub fn new(stiffness: f64, damping_time: f64, rest: [f64; 2]) -> Self {
         Self { stiffness, damping_time, floor: rest.map(|length| FLOOR * length) }
     }
@@ -81,8 +81,8 @@ impl Fold {
         0.5 * self.stiffness * (b.t - a.t).length_squared()
     }
 
-    /// Minus the slope of the energy against the vectors, and the dissipative at their `rate`: (elastic, dissipative), N m
-    /// per unit of the vectors.
+    /// Elastic and dissipative forces on the vectors `v`, which change at `rate`, N m per unit of the vectors. The elastic
+    /// forces are minus the gradient of the energy.
     pub fn pull(&self, v: [DVec3; 2], rate: [DVec3; 2]) -> ([DVec3; 2], [DVec3; 2]) {
         let [a, b] = self.directions(v);
         let gap = b.t - a.t;

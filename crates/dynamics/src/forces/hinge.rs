@@ -1,18 +1,18 @@
-//! Bending of a sheet at the edge between two triangles: a hinge, flat at rest.
+//! Bending of a sheet at the edge between two triangles: a hinge that is flat at rest.
 //!
 //! ```text
 //! W = K |n_2 - n_1|^2 / 2 = K (1 - cos theta),        K = D |e|^2 / (A_1 + A_2)
 //! ```
 //!
-//! theta is the dihedral angle (0 where flat), n the unit normals, e the edge and A the areas at rest; D = E t^3 / (12
-//! (1 - nu^2)), N m, is the flexural rigidity. Sources: Grinspun, Hirani, Desbrun, Schroeder, "Discrete shells",
-//! Symposium on Computer Animation 2003, whose 3 k |e|^2 theta^2 / A is this with k = D/6 and the chord for the angle;
-//! the normals are those of Seung and Nelson, Physical Review A 38 (1988) 1005, where K = 2 D / sqrt(3).
+//! theta is the dihedral angle (0 where flat), n are the unit normals, e is the edge and A are the areas at rest. D = E t^3 /
+//! (12 (1 - nu^2)), N m, is the flexural rigidity. Sources: Grinspun, Hirani, Desbrun, Schroeder, "Discrete shells",
+//! Symposium on Computer Animation 2003, whose energy is 3 k |e|^2 theta^2 / A; here k = D/6, and the chord replaces the
+//! angle. The energy in the normals is that of Seung and Nelson, Physical Review A 38 (1988) 1005, where K = 2 D / sqrt(3).
 //!
-//! **On a mesh of equilateral triangles** K = 2 D / sqrt(3) for every edge, and a sheet bent to a cylinder about any
-//! axis stores D kappa^2 / 2 per area: the rigidity is isotropic and D. The stiffness against Gaussian curvature is
-//! that of a Poisson ratio of -1/3 whatever the material's: it matters only where edges are free. On other meshes the
-//! rigidity depends on direction. Derivation, bound and tests: docs/theory/plate.md.
+//! **On a mesh of equilateral triangles** K = 2 D / sqrt(3) for every edge. A sheet that is bent to a cylinder about any
+//! axis stores D kappa^2 / 2 per area, so the rigidity is D in every direction. The stiffness against Gaussian curvature is
+//! that of a Poisson ratio of -1/3 for any material; this matters only where edges are free. On other meshes the rigidity
+//! depends on direction. Derivation, bound and tests: docs/theory/plate.md.
 
 use super::element::{Element, ElementError, ElementForces, Property, checked, distinct, not_negative, positive};
 use super::fold::Fold;
@@ -23,7 +23,7 @@ pub fn flexural_rigidity(elastic_modulus: f64, poisson_ratio: f64, thickness: f6
     elastic_modulus * thickness * thickness * thickness / (12.0 * (1.0 - poisson_ratio * poisson_ratio))
 }
 
-/// A hinge between two triangles.
+/// The hinge between two triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hinge {
     nodes: [usize; 4],
@@ -33,12 +33,12 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// The hinge along the edge from the first node to the second; the third lies to the left of it and the fourth to
-    /// the right, seen from above. `rest` are their places in the flat sheet, m; `rigidity` D, N m; `damping_time` of
-    /// the material, s.
+    /// The hinge along the edge from the first node to the second. Seen from above, the third node lies to the left of the
+    /// edge and the fourth to the right. `rest`: places of the nodes in the flat sheet, m. `rigidity`: D, N m.
+    /// `damping_time`: damping over stiffness, s.
     ///
     /// # Errors
-    /// A node that occurs twice; triangles that do not lie on either side of the edge; a property out of range.
+    /// A node occurs twice, a triangle lies on the wrong side of the edge, or a property is out of range.
     pub fn new(nodes: [usize; 4], rest: [DVec2; 4], rigidity: f64, damping_time: f64) -> Result<Self, ElementError> {
         distinct(nodes)?;
         positive(Property::FlexuralRigidity, rigidity)?;
@@ -49,7 +49,7 @@ impl Hinge {
         let length = checked(Property::Edge, edge.length(), true)?;
         let angular = rigidity * length * length / (0.5 * (left + right));
 
-        // slopes of the angle of the flat sheet against its nodes, 1/m: 1/height at the far ones, shared by the lever
+        // gradient of the angle of the flat sheet, 1/m: 1/height at the far nodes, shared by the lever at those of the edge
         let along = |point: usize| edge.dot(rest[point] - rest[0]) / (length * length);
         let far = [length / left, length / right];
         let slopes = [
@@ -68,17 +68,17 @@ impl Hinge {
     }
 }
 
-/// Largest stiffness over that of the flat sheet, for triangles that shrink, collapse and fold but stretch by no more
-/// than a twentieth; found by a search over 400 000 shapes (5.85).
+/// Largest stiffness over that of the flat sheet, where triangles shrink, collapse and fold but no side is longer than 1.05
+/// times its rest length. A search over 400 000 shapes found 5.85.
 const SHARPEST: f64 = 6.0;
 
-/// The normals, as long as twice the areas.
+/// The normals of the two triangles; their lengths are twice the areas, m^2.
 fn normals([a, b, left, right]: [DVec3; 4]) -> [DVec3; 2] {
     let edge = b - a;
     [edge.cross(left - a), (right - a).cross(edge)]
 }
 
-/// How fast the normals change.
+/// Rates of the normals, m^2/s.
 fn rates([a, b, left, right]: [DVec3; 4], [va, vb, v_left, v_right]: [DVec3; 4]) -> [DVec3; 2] {
     let (edge, rate) = (b - a, vb - va);
     [rate.cross(left - a) + edge.cross(v_left - va), (v_right - va).cross(edge) + (right - a).cross(rate)]
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_a_hinge_is_refused() {
+    fn wrong_nodes_triangles_and_properties_are_refused() {
         let rest = [(0.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)].map(DVec2::from);
         assert!(Hinge::new([0, 1, 2, 3], rest, 1.0, 0.0).is_ok());
         assert!(Hinge::new([0, 1, 2, 1], rest, 1.0, 0.0).is_err());
@@ -211,7 +211,7 @@ mod tests {
         }
 
         #[test]
-        fn forces_are_what_they_must_be(
+        fn forces_are_gradients_and_internal_and_turn_with_the_nodes(
             angle in -3.1..3.1,
             shift in prop::array::uniform4(point(0.3)),
             w in prop::array::uniform4(point(1.0)),

@@ -1,14 +1,14 @@
-//! Drag of a rope: the normal part of the wind drags by itself, and the tangential part by itself.
+//! Drag of a rope: the normal and the tangential component of the wind act independently.
 //!
 //! ```text
-//! u = wind - v,   u_t = (u.t) t,   u_n = u - u_t               at the middle of a segment, t its direction
+//! u = wind - v,   u_t = (u.t) t,   u_n = u - u_t               at the middle of a segment; t: its direction
 //! F = 1/2 rho d L0 (C_n |u_n| u_n + C_t |u_t| u_t)
 //! ```
 //!
-//! The cross-flow principle (Hoerner, Fluid-Dynamic Drag, 1965, 3-11; Jones & Robinson 1947): it gives the drag
-//! C_n sin^3 a + C_t cos^3 a and the lift (C_n sin a - C_t cos a) sin a cos a of a rope at an angle a to the flow. The
-//! normal coefficient of a round rope by its Reynolds number Re = rho |u_n| d / mu (Choo & Casarella, J. Hydronautics 5,
-//! 1971):
+//! This is the cross-flow principle (Hoerner, Fluid-Dynamic Drag, 1965, 3-11; Jones & Robinson 1947). A rope at an angle a
+//! to the flow has the drag coefficient C_n sin^3 a + C_t cos^3 a and the lift coefficient (C_n sin a - C_t cos a) sin a cos a.
+//! The normal coefficient of a round rope depends on its Reynolds number Re = rho |u_n| d / mu (Choo & Casarella,
+//! J. Hydronautics 5, 1971):
 //!
 //! ```text
 //! 8 pi / (s Re) (1 - 0.87/s^2),  s = ln(8/Re) - 0.077215665        Re < 1
@@ -16,44 +16,44 @@
 //! 1.1 + 4 / sqrt(Re)                                          30 <= Re
 //! ```
 //!
-//! measured up to Re = 2.33e5, where drag falls; beyond, as there. C_t is some 0.02, with reference to d L0 too. The
-//! length is the rope's own: a slack rope between two nodes has not become shorter.
+//! It was measured up to Re = 2.33e5, where drag falls; the last line is used beyond too. C_t is about 0.02, also with
+//! reference to d L0. The length is the rest length, since a slack rope is longer than the distance between its nodes.
 //!
-//! The founding paper writes the same by turning each segment's axes (its eqs. (8), (13)-(15)); docs/theory/air.md shows
-//! that both are one.
+//! The founding paper writes the same law in the axes of each segment (its eqs. (8), (13)-(15)); docs/theory/air.md shows
+//! that both agree.
 
 use glam::DVec3;
 
-/// How a round rope drags.
+/// Diameter and drag coefficients of a round rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RopeDrag {
     /// Diameter, m.
     pub diameter: f64,
-    /// Normal coefficient; by the Reynolds number where none is given.
+    /// Normal coefficient; `None`: it follows from the Reynolds number.
     pub normal: Option<f64>,
     /// Tangential coefficient.
     pub tangential: f64,
-    /// Solidity of the screen that it is a rope of, projected area of ropes over area; 0 for a rope alone. See
+    /// Solidity of the screen to which the rope belongs, projected area of ropes over area; 0 for a single rope. See
     /// [`screen_factor`].
     pub solidity: f64,
 }
 
-/// How much more a rope drags in a screen of this solidity (projected area of ropes over area) than alone:
-/// (2 - S) / (2 (1 - S)^2), for the flow between ropes is faster than the wind (Kristiansen & Faltinsen, J. Fluids Struct.
-/// 34, 2012; there for a screen square to the stream, held to panels of S up to 0.5).
+/// Drag of a rope in a screen over the drag of a single rope: (2 - S) / (2 (1 - S)^2), since the flow between ropes is faster
+/// than the wind. S is the `solidity`, projected area of ropes over area. (Kristiansen & Faltinsen, J. Fluids Struct. 34,
+/// 2012, for a screen normal to the stream; compared there with measured panels of S up to 0.5.)
 pub fn screen_factor(solidity: f64) -> f64 {
     (2.0 - solidity) / (2.0 * (1.0 - solidity) * (1.0 - solidity))
 }
 
-/// Reynolds number from which the normal coefficient needs no more than a square root.
+/// Reynolds number from which [`plain_coefficient`] holds, which needs no more than a square root.
 pub(crate) const PLAIN: f64 = 30.0;
 
-/// Reynolds numbers for which [`twine_coefficient`] was fitted.
+/// Least and largest Reynolds number for which [`twine_coefficient`] was fitted.
 const TWINE: (f64, f64) = (31.6, 1e4);
 
-/// Normal coefficient of a smooth twine in a screen, by the Reynolds number of the flow between twines (Kristiansen &
-/// Faltinsen 2012, a fit to measured cylinders). Below Re = 10^1.5 that of a rope alone, which it meets within 3 %; above
-/// 1e4, where the fit ends and soon breaks down, the value there.
+/// Normal coefficient of a smooth twine in a screen, over the Reynolds number of the flow between twines (Kristiansen &
+/// Faltinsen 2012, a fit to measured cylinders). Below Re = 10^1.5 it is that of a single rope, with a step of less than
+/// 3 %. Above 1e4, where the fit soon breaks down, it is the value at 1e4.
 pub fn twine_coefficient(reynolds: f64) -> f64 {
     const POWERS: [f64; 8] =
         [-78.466_75, 254.738_73, -327.886_4, 223.645_77, -87.922_34, 20.007_69, -2.448_94, 0.124_79];
@@ -64,7 +64,7 @@ pub fn twine_coefficient(reynolds: f64) -> f64 {
     POWERS.iter().rev().fold(0.0, |sum, power| sum * log + power)
 }
 
-/// Normal coefficient of a round rope; any where `reynolds` is zero, as there is no force.
+/// Normal coefficient of a single round rope. At `reynolds` 0 it is 0, as there is no force.
 pub fn normal_coefficient(reynolds: f64) -> f64 {
     if reynolds >= PLAIN {
         plain_coefficient(reynolds)
@@ -83,7 +83,7 @@ pub(crate) fn plain_coefficient(reynolds: f64) -> f64 {
     1.1 + 4.0 / reynolds.sqrt()
 }
 
-/// The wind as a segment meets it, m/s: its parts across the segment and along it, and how fast they are.
+/// The wind relative to a segment, m/s: its components across and along the segment, and their magnitudes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RelativeFlow {
     normal: [f64; 3],
@@ -92,11 +92,11 @@ pub(crate) struct RelativeFlow {
     along: f64,
 }
 
-/// Keeps a division finite where two nodes coincide; all wind is across such a segment.
+/// Keeps a division finite where two nodes coincide, m^2; all wind is across such a segment.
 const LEAST_LENGTH_SQUARED: f64 = 1e-200;
 
 impl RelativeFlow {
-    /// By a segment that spans `span`, m, in a wind of `relative` to it, m/s.
+    /// `span`: vector from one end of the segment to the other, m. `relative`: wind relative to it, m/s.
     #[inline(always)]
     pub fn new(span: [f64; 3], relative: [f64; 3]) -> RelativeFlow {
         let square = dot(span, span);
@@ -112,7 +112,7 @@ impl RelativeFlow {
         }
     }
 
-    /// Force, N, on an area d L0 such that 1/2 rho d L0 = `per_pressure`, kg/m.
+    /// Force, N, on a segment with 1/2 rho d L0 = `per_pressure`, kg/m.
     #[inline(always)]
     pub fn force(&self, normal_coefficient: f64, tangential_coefficient: f64, per_pressure: f64) -> [f64; 3] {
         let normal = per_pressure * (normal_coefficient * self.across);
@@ -127,7 +127,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 impl RopeDrag {
-    /// Normal coefficient at the Reynolds number of a rope alone, with what a screen adds.
+    /// Normal coefficient, the factor of the screen included, at the Reynolds number of a single rope.
     pub fn coefficient(&self, reynolds: f64) -> f64 {
         match (self.normal, self.in_screen()) {
             (Some(normal), _) => screen_factor(self.solidity) * normal,
@@ -136,13 +136,13 @@ impl RopeDrag {
         }
     }
 
-    /// Whether others are near.
+    /// Whether the rope belongs to a screen.
     pub(crate) fn in_screen(&self) -> bool {
         self.solidity > 0.0
     }
 
-    /// The area d L0 / 4 of a segment of this rest length, m: with the density that of half its 1/2 rho d L0, for half
-    /// of its drag is on each of its ends.
+    /// The area d L0 / 4, m^2, of a segment of this rest length, m. Times the density it is half of 1/2 rho d L0, since half
+    /// of the drag acts on each end.
     pub(crate) fn half_area(&self, rest_length: f64) -> f64 {
         0.25 * self.diameter * rest_length
     }

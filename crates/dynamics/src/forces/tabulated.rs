@@ -1,71 +1,71 @@
-//! A rope whose tension is read from a table of strain, with a path of its own for unloading.
+//! A rope with tension tabulated over strain, and optionally another curve for unloading.
 //!
 //! ```text
-//! T = F(e)              loading: e = d/L0 at or beyond the largest strain m so far        tension, N
-//! T = F(e) h(e/m)       unloading from m, and loading again up to it
-//! U = L0 integral of F(s) h(s/m) ds from 0 to e      elastic energy, what unloading gives back, J
-//! D = L0 integral of F(s) (1 - h(s/m)) ds from 0 to m                 lost so far, J
+//! T = F(e)              loading: strain e = d/L0 at or above the largest strain m so far        tension, N
+//! T = F(e) h(e/m)       unloading from m, and reloading up to m
+//! U = L0 integral of F(s) h(s/m) ds from 0 to e                elastic energy, J: the work that unloading returns
+//! D = L0 integral of F(s) (1 - h(s/m)) ds from 0 to m          energy lost so far, J
 //! ```
 //!
-//! F is straight between the rows of the table and goes on beyond its last row as before it. h is the share of the tension
-//! that is left on the way back: the table's unloading column over its tensions, straight between rows, and scaled to wherever
-//! a rope turns round. Without that column the rope is elastic and unloads along F. What a rope keeps of its stretch
-//! stands in the table as rows whose unloading tension is 0.
+//! F is linear between the rows of the table; beyond the last row it has the slope of the last two. h is the unloading tension
+//! over the loading tension, linear between rows. It is a function of e/m, so that it applies to unloading from any m. Without
+//! a column for unloading the rope is elastic and unloads along F. A rope with a permanent strain has rows whose unloading
+//! tension is 0.
 //!
-//! Both U and D are functions of e and m, so neither is found by difference, and
+//! U and D are both functions of e and m, so neither is found by difference, and
 //!
 //! ```text
 //! D'(m) = L0 integral of F(s) h'(s/m) s/m^2 ds from 0 to m  >=  0         if h does not fall
 //! ```
 //!
-//! whatever the shape of F: no rope gives back more than was put in. (A path scaled as a whole, F(m) u(e/m), would where F
-//! stiffens fast.) The law is a pseudo-elastic one: Ogden, Roxburgh, A pseudo-elastic model for the Mullins effect, Proc. R.
-//! Soc. A 455, 1999, with the damage as a function of e/m. Valid for one rate of loading: the curve of a quasi-static test is
-//! soft for a snatch. Loading again follows the unloading path, so small cycles below m lose nothing.
+//! for every shape of F: no rope returns more energy than was put in. (An unloading curve F(m) u(e/m) could return more where
+//! F stiffens fast.) The law is pseudo-elastic: Ogden, Roxburgh, A pseudo-elastic model for the Mullins effect, Proc. R. Soc. A
+//! 455, 1999, with the damage as a function of e/m. It is valid for one rate of loading: in a snatch a rope is stiffer than in
+//! a quasi-static test. Reloading follows the unloading curve, so small cycles below m lose no energy.
 //!
-//! At a row the slope jumps, and within a step of it the trapezoidal work of the scheme would be wrong by that kink: each row
-//! is a ramp that begins there, and gets the correction that [`rope_tension`](super::rope_tension) gives the ramp at 0.
+//! The slope jumps at each row, and the trapezoidal work of a step across a row would be wrong. So F is a sum of ramps that
+//! begin at the rows, and each gets the correction that [`rope_tension`](super::rope_tension) applies to the ramp at 0.
 
 use super::memory::Memory;
 use super::rope_tension::ramp;
 
-/// A law read from a table.
+/// Tension tabulated over strain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tabulated {
-    /// F: tension, N, against strain.
+    /// F: tension, N, over strain.
     loading: Curve,
-    /// h: share of the tension that is left, against the share of the strain at the turn.
+    /// h: unloading over loading tension, as a function of e/m; `None` for an elastic rope.
     left: Option<Curve>,
 }
 
-/// Why a table is no law.
+/// Why a table cannot be the law of a rope.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TableError {
-    /// Columns differ in length, or there are not two rows.
-    #[error("expected two rows or more, and as many values in each column")]
+    /// Columns differ in length, or there are fewer than two rows.
+    #[error("expected two rows or more, and the same number of values in each column")]
     Shape,
-    /// The first row is not the rope at rest.
-    #[error("expected the first row to be the rope at rest: no strain, no tension")]
+    /// The first row does not have strain 0 and tension 0.
+    #[error("expected strain 0 and tension 0 in the first row")]
     Start,
-    /// A strain does not exceed the one before, or a tension falls.
-    #[error("row {row}: expected strains that grow and tensions that do not fall")]
+    /// A strain is not larger than the one before, or a tension is smaller.
+    #[error("row {row}: expected a larger strain than in the row before, and no smaller tension")]
     Order {
         /// Which row, from 1.
         row: usize,
     },
-    /// The rope never pulls.
+    /// All tensions are 0.
     #[error("expected a tension greater than 0 in the last row")]
     Slack,
-    /// Unloading begins elsewhere than where loading ends.
-    #[error("expected unloading to begin at the tension of the last row, {expected} N, found {found} N")]
+    /// Loading and unloading tension differ in the last row.
+    #[error("expected the same loading and unloading tension in the last row, {expected} N, found {found} N")]
     Turn {
-        /// The tension of the last row, N.
+        /// The loading tension of the last row, N.
         expected: f64,
         /// Its unloading tension, N.
         found: f64,
     },
-    /// Unloading would give back energy that was not put in.
-    #[error("row {row}: expected unloading over loading tension not to fall from row to row")]
+    /// Unloading would return energy that was not put in.
+    #[error("row {row}: expected a ratio of unloading to loading tension no smaller than in the row before")]
     Share {
         /// Which row, from 1.
         row: usize,
@@ -73,7 +73,7 @@ pub enum TableError {
 }
 
 impl TableError {
-    /// The row that is wrong, from 1, where it is one.
+    /// The row that is wrong, from 1; `None` if the error is not in one row.
     pub fn row(&self) -> Option<usize> {
         match self {
             TableError::Order { row } | TableError::Share { row } => Some(*row),
@@ -84,11 +84,11 @@ impl TableError {
 }
 
 impl Tabulated {
-    /// A law from rows of strain and tension, N, and where there is hysteresis the tension, N, on the way back from the last
-    /// row.
+    /// The law of a table: `strain`, `tension` under loading, N, and for a rope with hysteresis `unloading`, the tension, N,
+    /// on the way back from the last row. Shapes (rows,).
     ///
     /// # Errors
-    /// [`TableError`] where the columns describe no rope.
+    /// [`TableError`] if the columns cannot be the law of a rope.
     pub fn new(strain: &[f64], tension: &[f64], unloading: Option<&[f64]>) -> Result<Tabulated, TableError> {
         if strain.len() < 2 || [tension.len(), unloading.map_or(strain.len(), <[f64]>::len)] != [strain.len(); 2] {
             return Err(TableError::Shape);
@@ -108,34 +108,34 @@ impl Tabulated {
         Ok(Tabulated { loading: Curve::new(strain.to_vec(), tension.to_vec()), left })
     }
 
-    /// The same without a path of its own for unloading.
+    /// The elastic law with the same loading curve.
     pub fn loading(&self) -> Tabulated {
         Tabulated { loading: self.loading.clone(), left: None }
     }
 
-    /// Whether it unloads on a path of its own.
+    /// Whether unloading follows another curve than loading.
     pub fn has_hysteresis(&self) -> bool {
         self.left.is_some()
     }
 
-    /// A bound on the change of tension with strain on any path, N.
+    /// An upper bound of the slope of tension over strain, loading or unloading, N.
     pub fn largest_slope(&self) -> f64 {
         let Curve { x, y, slope } = &self.loading;
         let most = |slopes: &[f64]| slopes.iter().copied().fold(0.0, f64::max);
-        // (F h)' = F' h + F h'/m, with h at most 1 and F/m at most F/e: that at a row, or far beyond the last
+        // (F h)' = F' h + F h'/m, with h at most 1 and F/m at most F/e, whose maximum is at a row or far beyond the last
         let secant = x.iter().zip(y).skip(1).map(|(x, y)| y / x).chain(slope.last().copied()).fold(0.0, f64::max);
         most(slope) + self.left.as_ref().map_or(0.0, |h| secant * most(&h.slope))
     }
 
-    /// The strain at which loading comes to `tension`, N.
+    /// The strain under loading at `tension`, N.
     pub fn strain_under(&self, tension: f64) -> f64 {
         let Curve { x, y, slope } = &self.loading;
         let row = y[1..slope.len()].partition_point(|&below| below < tension);
         if tension > 0.0 { x[row] + (tension - y[row]) / slope[row] } else { 0.0 }
     }
 
-    /// Tension at a stretch of a segment that changes its length by `swept` in a step, N; lengths in m. Memory: the
-    /// largest strain so far.
+    /// Tension, N, of a segment at `stretch`, m, whose length changes by `swept`, m, in a step. `memory`: the largest strain
+    /// so far, which is updated.
     pub(crate) fn tension(&self, stretch: f64, swept: f64, rest_length: f64, memory: &mut Memory) -> f64 {
         let (strain, swept) = (stretch / rest_length, swept / rest_length);
         let largest = memory[0];
@@ -169,7 +169,7 @@ impl Tabulated {
         rest_length * (put_in - self.given_back(largest, largest))
     }
 
-    /// Integral of the unloading path from `largest`, from no strain to `strain`, N.
+    /// Integral of the unloading curve from `largest`, from 0 to `strain`, N.
     fn given_back(&self, strain: f64, largest: f64) -> f64 {
         let rows = self.loading.x.iter().copied();
         match &self.left {
@@ -183,13 +183,13 @@ impl Tabulated {
     }
 }
 
-/// h of a table.
+/// The curve h of a table.
 fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<Curve, TableError> {
     let last = strain.len() - 1;
     if back[last] != tension[last] {
         return Err(TableError::Turn { expected: tension[last], found: back[last] });
     }
-    // where there is no tension there is no share: that of the first row with one
+    // where the loading tension is 0 the ratio is not defined: take that of the first row with tension
     let pulls = tension.iter().position(|tension| *tension > 0.0).unwrap_or(last);
     let share: Vec<f64> = (0..=last).map(|i| back[i.max(pulls)] / tension[i.max(pulls)]).collect();
     let falls = |i: &usize| share[*i].is_nan() || share[*i] < if *i > 0 { share[*i - 1] } else { 0.0 };
@@ -199,7 +199,7 @@ fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<Curve, TableErr
     }
 }
 
-/// Integral from 0 to `end` of what is quadratic between `ends`, which ascend from 0: Simpson's rule.
+/// Integral of `value` from 0 to `end` by Simpson's rule; `value` is quadratic between `ends`, which ascend from 0.
 fn integral(ends: impl Iterator<Item = f64>, end: f64, value: impl Fn(f64) -> f64) -> f64 {
     let (mut sum, mut from) = (0.0, 0.0);
     for to in ends.filter(|to| *to < end).chain([end]) {
@@ -209,12 +209,12 @@ fn integral(ends: impl Iterator<Item = f64>, end: f64, value: impl Fn(f64) -> f6
     sum
 }
 
-/// Straight lines between points, from x = 0 on; the last line without end.
+/// A piecewise linear function from x = 0 on; the last line is extended.
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     x: Vec<f64>,
     y: Vec<f64>,
-    /// Of the line that begins at each point but the last.
+    /// Slope of the line from each point to the next.
     slope: Vec<f64>,
 }
 
@@ -224,7 +224,7 @@ impl Curve {
         Curve { x, y, slope }
     }
 
-    /// The line at `x` >= 0.
+    /// The index of the line at `x` >= 0.
     fn line(&self, x: f64) -> usize {
         self.x[1..self.slope.len()].partition_point(|&start| start <= x)
     }
@@ -234,7 +234,7 @@ impl Curve {
         self.y[i] + self.slope[i] * (x - self.x[i])
     }
 
-    /// What the points that lie within `swept` below `x` take from the value there times some `factor` of each.
+    /// The correction at `x` for the kinks at points within `swept` below it, each times the `factor` at its point.
     fn kinks(&self, x: f64, swept: f64, factor: impl Fn(f64) -> f64) -> f64 {
         let near = (0..=self.line(x)).rev().take_while(|&i| x - self.x[i] < swept);
         let kink = |i: usize| {

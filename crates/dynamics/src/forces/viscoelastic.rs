@@ -1,22 +1,22 @@
-//! A rope that is stiffer at first and relaxes: the standard linear solid, pulling only.
+//! A viscoelastic rope: the standard linear solid, in tension only. Its tension relaxes while its length is constant.
 //!
 //! ```text
-//! T  = k e + q                      a spring k beside a spring k1 that is in line with a dashpot, N
-//! q  = k1 (e - v)                   pull of that branch, N;  v stretch of the dashpot, m
-//! v' = q/(k1 tau) = (e - v)/tau     tau relaxation time, s
-//! e  = max(d, g v)                  stretch of the rope, m;  g = k1/(k + k1)
-//! U  = k e^2/2 + k1 (e - v)^2/2     elastic energy, J;       q v' lost, W
+//! T  = k e + q                      tension, N: a spring k parallel to a spring k1 in series with a dashpot
+//! q  = k1 (e - v)                   tension of that branch, N;  v: stretch of the dashpot, m
+//! v' = q/(k1 tau) = (e - v)/tau     tau: relaxation time, s
+//! e  = max(d, g v)                  stretch of the material, m;  d: distance of the ends less rest length, m;  g = k1/(k + k1)
+//! U  = k e^2/2 + k1 (e - v)^2/2     elastic energy, J;  power lost: q v', W
 //! ```
 //!
-//! Under a lasting stretch the stiffness falls from k + k1 to k: k(t) = k + k1 exp(-t/tau). k = EA/L0 is the long-term
-//! one. (Zener, Elasticity and Anelasticity of Metals, 1948; Ferry, Viscoelastic Properties of Polymers, 1980,
-//! chapter 1.) One relaxation time: right near its own rate, too elastic far from it on either side.
+//! Under a constant stretch the stiffness falls from k + k1 to k: k(t) = k + k1 exp(-t/tau). k = EA/L0 is the long-term
+//! stiffness. (Zener, Elasticity and Anelasticity of Metals, 1948; Ferry, Viscoelastic Properties of Polymers, 1980,
+//! chapter 1.) The law has one relaxation time: it loses too little energy at rates far above or below 1/tau.
 //!
-//! **It never pushes.** T = (k + k1)(e - g v), so a rope whose dashpot has been drawn out goes slack at the stretch g v
-//! and not at 0. While it is slack, d < g v, it is e = g v long and recovers: v' = -v (1 - g)/tau. So T e' = U' + q v'
-//! holds taut and slack, and no energy comes from nowhere.
+//! **In tension only.** T = (k + k1)(e - g v), so a rope with a stretched dashpot goes slack at d = g v and not at 0. A slack
+//! rope, d < g v, has the stretch e = g v and recovers: v' = -v (1 - g)/tau. T e' = U' + q v' holds in both states, so the
+//! law makes no energy.
 //!
-//! **In steps of D.** With e linear in time over the step the branch is integrated exactly (Simo, Hughes, Computational
+//! **In steps of D.** If e is linear in time over the step, the branch is integrated exactly (Simo, Hughes, Computational
 //! Inelasticity, 1998, chapter 10):
 //!
 //! ```text
@@ -24,8 +24,8 @@
 //! v+ = v exp(-(1 - g) D/tau)                      slack
 //! ```
 //!
-//! and the loss is (q + q+)/2 (v+ - v), which closes the balance to rounding while the rope is taut. Where it tautens, its
-//! spring k + k1 gets the correction of [`rope_tension`](super::rope_tension).
+//! The energy lost is (q + q+)/2 (v+ - v), which closes the energy balance to rounding while the rope is taut. In the step in
+//! which the rope becomes taut, its spring k + k1 gets the correction of [`rope_tension`](super::rope_tension).
 
 use super::memory::Memory;
 use super::rope_tension::{Along, Pull, ramp};
@@ -33,30 +33,30 @@ use super::rope_tension::{Along, Pull, ramp};
 /// The parameters of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viscoelastic {
-    /// Stiffness that relaxes over the one that stays, k1/k; positive.
+    /// Stiffness that relaxes over the long-term stiffness, k1/k; positive.
     pub ratio: f64,
-    /// Relaxation time at constant stretch tau, s; positive.
+    /// Relaxation time tau at constant stretch, s; positive.
     pub relaxation_time: f64,
 }
 
-/// How the dashpot relaxes between two evaluations of forces.
+/// Coefficients of the dashpot's stretch over one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decay {
-    /// 1 - a: share of the branch's stretch that goes over to the dashpot.
+    /// 1 - a: coefficient of e - v.
     taut: f64,
-    /// 1 - b: share of the change of stretch that does.
+    /// 1 - b: coefficient of e+ - e.
     change: f64,
-    /// Share of the dashpot's stretch that a slack rope keeps.
+    /// exp(-(1 - g) D/tau): v+ over v of a slack rope.
     slack: f64,
 }
 
 impl Decay {
-    /// No time has passed.
+    /// Those of a step of 0 s.
     pub const NONE: Decay = Decay { taut: 0.0, change: 0.0, slack: 1.0 };
 }
 
 impl Viscoelastic {
-    /// g: the stretch at which the rope goes slack over that of its dashpot.
+    /// g: stretch at which the rope goes slack, over the stretch of its dashpot.
     fn slack_share(&self) -> f64 {
         self.ratio / (1.0 + self.ratio)
     }
@@ -70,7 +70,7 @@ impl Viscoelastic {
         Decay { taut, change: 1.0 - taut / share, slack: libm::exp(-(1.0 - self.slack_share()) * share) }
     }
 
-    /// Memory: stretch of the dashpot, and stretch of the rope at the last forces, m.
+    /// Memory of a rope at rest: stretch v of the dashpot and stretch e of the material at the last forces, m.
     pub(crate) fn at_rest(&self, stretch: f64) -> Memory {
         [stretch.max(0.0); 2]
     }
@@ -105,8 +105,8 @@ mod tests {
     const K: f64 = 1e3;
     const LAW: Viscoelastic = Viscoelastic { ratio: 3.0, relaxation_time: 0.2 };
 
-    /// A rope 1 m long taken through these stretches in equal steps, from rest: tensions, N, energy lost, J, memory. The
-    /// correction where it tautens is left out.
+    /// Tensions, N, energy lost, J, and memory of a rope 1 m long that takes these stretches, m, in steps of `dt`, s, from
+    /// rest. Its ends are at rest in each step, so there is no correction where it becomes taut.
     fn led(stretches: &[f64], dt: f64) -> (Vec<f64>, f64, Memory) {
         let (mut memory, mut lost, decay) = (LAW.at_rest(0.0), 0.0, LAW.decay(dt));
         let tension = |&stretch: &f64| {
@@ -119,12 +119,12 @@ mod tests {
     }
 
     #[test]
-    fn a_lasting_stretch_relaxes_as_the_closed_form() {
+    fn under_a_constant_stretch_the_tension_relaxes_as_the_closed_form() {
         let dt = 0.01;
         let (tensions, _, _) = led(&[0.05; 200], dt);
         let first = tensions[0];
         for (step, tension) in tensions.iter().enumerate() {
-            // the first step draws the rope out; from there k(t) = k + k1 exp(-t/tau), scaled by what is left of k1
+            // the first step stretches the rope; then k(t) = k + k1 exp(-t/tau), scaled by the share of k1 left after it
             let left = (first / 0.05 - K) / (LAW.ratio * K);
             let exact = 0.05 * K * (1.0 + LAW.ratio * left * libm::exp(-(step as f64) * dt / LAW.relaxation_time));
             assert!((tension / exact - 1.0).abs() < 1e-12, "step {step}: {tension} N, exact {exact} N");
