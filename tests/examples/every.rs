@@ -99,7 +99,7 @@ fn the_net_shot_from_the_ground_drifts_with_the_wind_and_lands() {
 fn the_ties_of_the_net_from_tubes_break_and_its_ropes_do_not() {
     let run = runs::example(&examples().join("11_tubes/tubes.toml"));
     let ties = run.model.groups.iter().position(|group| group.class == Class::Tie).unwrap();
-    let ties = run.model.system.segments().iter().filter(|segment| segment.class == ties).count();
+    let ties = run.model.system.segments().iter().filter(|segment| segment.group == ties).count();
     let breaks = &run.ran.summary.breaks;
     assert!(ties == 4 && breaks.len() == ties && breaks.iter().all(|one| one.released), "{breaks:?}");
 }

@@ -78,7 +78,7 @@ impl Observer for Print {
 
 fn main() -> Result<(), SystemError> {
     let (stiffness, damping, breaking) = (5e3, 0.5, Breaking::NEVER);
-    let link = |i| Segment { ends: [i, i + 1], rest_length: SPACING, stiffness, damping, class: 0, breaking };
+    let link = |i| Segment { ends: [i, i + 1], rest_length: SPACING, stiffness, damping, group: 0, breaking };
     let magnet = Magnet { strength: 0.05, place: DVec3::new(0.3, 0.0, -1.3), beads: (1..=BEADS).collect() };
     let system = SystemParts {
         mass: vec![0.05; BEADS + 1],

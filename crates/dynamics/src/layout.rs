@@ -52,12 +52,12 @@ pub struct Layout {
 
 impl Layout {
     /// Lays out `segments` between `nodes` nodes in O(nodes + segments) time. `resting`, (nodes,): whether a node never moves.
-    pub fn new(nodes: usize, segments: &[Segment], resting: &[bool], class_count: usize) -> Layout {
+    pub fn new(nodes: usize, segments: &[Segment], resting: &[bool], group_count: usize) -> Layout {
         let mut blocks = Vec::new();
-        for class in 0..class_count {
-            pack(class, runs(nodes, segments, class), &mut blocks);
+        for group in 0..group_count {
+            pack(group, runs(nodes, segments, group), &mut blocks);
         }
-        pack(class_count, lone_nodes(nodes, segments), &mut blocks);
+        pack(group_count, lone_nodes(nodes, segments), &mut blocks);
 
         let slots_of = slots_by_node(nodes, &blocks);
         let mut segment_slots = vec![Address { block: usize::MAX, slot: usize::MAX }; segments.len()];
@@ -123,9 +123,9 @@ fn slots_by_node(nodes: usize, blocks: &[BlockPlan]) -> Vec<Vec<Address>> {
 /// The first walks start at nodes where an odd number of segments meet, since a walk must end there anyway. Then only
 /// closed loops are left. At a node a walk takes the first unused segment in the order given, so that a rope stays in
 /// one run.
-fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
+fn runs(nodes: usize, segments: &[Segment], group: usize) -> Vec<Vec<Slot>> {
     let mut meeting = vec![Vec::new(); nodes];
-    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {
+    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.group == group) {
         meeting[s.ends[0]].push(i);
         meeting[s.ends[1]].push(i);
     }
@@ -153,7 +153,7 @@ fn runs(nodes: usize, segments: &[Segment], class: usize) -> Vec<Vec<Slot>> {
     for node in (0..nodes).filter(|&n| meeting[n].len() % 2 == 1) {
         walk(node, &mut used);
     }
-    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.class == class) {
+    for (i, s) in segments.iter().enumerate().filter(|(_, s)| s.group == group) {
         if !used[i] {
             walk(s.ends[0], &mut used);
         }
@@ -171,11 +171,11 @@ fn lone_nodes(nodes: usize, segments: &[Segment]) -> Vec<Vec<Slot>> {
 }
 
 /// Fills blocks of one group with runs, and cuts runs that do not fit.
-fn pack(class: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
+fn pack(group: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
     let mut open: Vec<Slot> = Vec::new();
     let mut close = |open: &mut Vec<Slot>| {
         if !open.is_empty() {
-            blocks.push(BlockPlan { class, slots: std::mem::take(open) });
+            blocks.push(BlockPlan { group, slots: std::mem::take(open) });
         }
     };
     for run in runs {
@@ -198,13 +198,13 @@ fn pack(class: usize, runs: Vec<Vec<Slot>>, blocks: &mut Vec<BlockPlan>) {
 mod tests {
     use super::*;
 
-    fn segment(a: usize, b: usize, class: usize) -> Segment {
-        Segment { ends: [a, b], rest_length: 1.0, stiffness: 1.0, damping: 0.0, class, breaking: Default::default() }
+    fn segment(a: usize, b: usize, group: usize) -> Segment {
+        Segment { ends: [a, b], rest_length: 1.0, stiffness: 1.0, damping: 0.0, group, breaking: Default::default() }
     }
 
     fn layout(nodes: usize, segments: &[Segment]) -> Layout {
-        let classes = segments.iter().map(|s| s.class + 1).max().unwrap_or(0);
-        Layout::new(nodes, segments, &vec![false; nodes], classes)
+        let groups = segments.iter().map(|s| s.group + 1).max().unwrap_or(0);
+        Layout::new(nodes, segments, &vec![false; nodes], groups)
     }
 
     /// Every segment lies in exactly one slot, between its own two ends.
@@ -216,7 +216,7 @@ mod tests {
             for pair in block.slots.windows(2) {
                 if let Some(i) = pair[0].segment {
                     seen[i] += 1;
-                    assert_eq!(segments[i].class, block.class);
+                    assert_eq!(segments[i].group, block.group);
                     assert_eq!(segments[i].other_end(pair[0].node), pair[1].node);
                 }
             }

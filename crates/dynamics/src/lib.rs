@@ -24,7 +24,7 @@
 //! use netcast_dynamics::step_size::step_limit;
 //!
 //! let (stiffness, damping, breaking) = (1e5, 0.0, Breaking::NEVER);
-//! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness, damping, class: 0, breaking };
+//! let rope = Segment { ends: [0, 1], rest_length: 1.0, stiffness, damping, group: 0, breaking };
 //! let system = SystemParts {
 //!     mass: vec![0.0, 2.0],
 //!     held: vec![true, false],

@@ -42,7 +42,7 @@ pub struct SystemParts {
     pub tractor: Vec<bool>,
     /// Segments; those of one rope in order, one after the other, so that they can be laid out as one run.
     pub segments: Vec<Segment>,
-    /// The law of each link class, (classes,).
+    /// The law of each group, (groups,).
     pub laws: Vec<Law>,
     /// Where ropes resist bending.
     pub bends: Vec<Bending>,
@@ -108,11 +108,11 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// A parameter of a class's law is out of range.
-    #[error("the law of class {class} has a {what} of {value}")]
+    /// A parameter of a group's law is out of range.
+    #[error("the law of group {group} has a {what} of {value}")]
     Law {
-        /// Which class.
-        class: usize,
+        /// Which group.
+        group: usize,
         /// Which parameter.
         what: &'static str,
         /// Its value.

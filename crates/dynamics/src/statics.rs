@@ -375,7 +375,7 @@ mod tests {
     const TIGHT: Accuracy = Accuracy { tolerance: 1e-10, max_iterations: 1_000_000 };
 
     fn rope(ends: [usize; 2], rest_length: f64, stiffness: f64) -> Segment {
-        Segment { ends, rest_length, stiffness, damping: 0.3, class: 0, breaking: Breaking::NEVER }
+        Segment { ends, rest_length, stiffness, damping: 0.3, group: 0, breaking: Breaking::NEVER }
     }
 
     fn load(node: usize, force: DVec3) -> Load {

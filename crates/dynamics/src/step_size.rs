@@ -34,7 +34,7 @@ pub struct StepLimit {
     pub stiffest: Option<Stiff>,
     /// The limit that this node would set without damping, s.
     pub without_damping: f64,
-    /// The limit set by the nodes where no segment of the same class, or no part of the same effect, acts, s.
+    /// The limit set by the nodes where no segment of the same group, or no part of the same effect, acts, s.
     pub elsewhere: f64,
 }
 
@@ -83,14 +83,14 @@ pub fn step_limit(system: &System) -> StepLimit {
     StepLimit { dt, node, stiffest, without_damping: bound(node, 0.0), elsewhere }
 }
 
-/// Whether each node touches a segment of the same class, or the same effect, as `what`; (nodes,).
+/// Whether each node touches a segment of the same group, or the same effect, as `what`; (nodes,).
 fn touched(system: &System, at: &Bound, what: Option<Stiff>) -> Vec<bool> {
     let mut touched = vec![false; system.mass().len()];
     match what {
         Some(Stiff::Segment(segment)) => {
-            let class = system.segments()[segment].class;
-            let of_class = system.segments().iter().filter(|s| s.class == class);
-            of_class.flat_map(|s| s.ends).for_each(|node| touched[node] = true);
+            let group = system.segments()[segment].group;
+            let of_group = system.segments().iter().filter(|s| s.group == group);
+            of_group.flat_map(|s| s.ends).for_each(|node| touched[node] = true);
         }
         Some(Stiff::Effect { name, .. }) => match at.share_of(name) {
             Some(share) => touched.iter_mut().zip(share).for_each(|(touched, share)| *touched = *share > 0.0),

@@ -65,19 +65,19 @@ impl System {
         &self.parts.segments
     }
 
-    /// Number of link classes.
-    pub fn class_count(&self) -> usize {
+    /// Number of groups.
+    pub fn group_count(&self) -> usize {
         self.parts.laws.len()
     }
 
-    /// The law of each link class, (classes,).
+    /// The law of each group, (groups,).
     pub fn laws(&self) -> &[Law] {
         &self.parts.laws
     }
 
     /// The law of a segment.
     pub fn law(&self, segment: &Segment) -> &Law {
-        &self.parts.laws[segment.class]
+        &self.parts.laws[segment.group]
     }
 
     /// Whether the law of any segment has state.

@@ -82,7 +82,7 @@ fn a_link_has_the_mass_and_stiffness_of_its_assigned_rope() {
     assert_eq!(kinds, [("rope", 11.0), ("thin", 1.0)]);
     let group = model.groups.iter().position(|group| group.rope.as_deref() == Some("thin")).unwrap();
     let area = 0.25 * std::f64::consts::PI * 9e-6;
-    for segment in model.system.segments().iter().filter(|segment| segment.class == group) {
+    for segment in model.system.segments().iter().filter(|segment| segment.group == group) {
         let expected = 41.4e9 * area / segment.rest_length;
         assert!((segment.stiffness / expected - 1.0).abs() < 1e-12, "{} N/m, not {expected}", segment.stiffness);
     }

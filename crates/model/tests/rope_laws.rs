@@ -153,10 +153,7 @@ fn a_wrong_table_is_reported_at_its_row() {
             "strain,tension\n0,0\n0.1,5\n0.1,7\n",
             "4: {}: row 3: expected a larger strain than in the row before, and no smaller tension",
         ),
-        (
-            "strain,tension\n0.1,5\n0.2,7\n",
-            "2: {}: expected strain 0 and tension 0 in the first row",
-        ),
+        ("strain,tension\n0.1,5\n0.2,7\n", "2: {}: expected strain 0 and tension 0 in the first row"),
         ("strain,tension\n0,0\n0.1,x\n", "3: {}: tension: expected a number, found \"x\""),
         ("strain,tension,unloading\n0,0,0\n0.1,5,\n", "3: {}: unloading: expected a number, found nothing"),
         ("strain,force\n0,0\n", "1: {}: unknown column \"force\", expected the columns strain,tension,unloading"),

@@ -52,7 +52,7 @@ fn ties_join_nodes_to_their_place_or_to_each_other_and_leave_the_web_unchanged()
     assert_eq!((ties[4].rest_length, ties[4].stiffness, ties[4].breaking.load), (1.0, 600.0, 30.0));
     assert_eq!(tied.segment_label(own), "break tie 1 at web corner 3");
     assert_eq!(tied.segment_label(own + 4), "break tie 5 at knot 2 to knot 3");
-    assert!(!tied.is_rope(own) && tied.groups[ties[0].class].class.name() == "tie");
+    assert!(!tied.is_rope(own) && tied.groups[ties[0].group].class.name() == "tie");
     // ties add neither mass nor links
     assert_eq!(tied.bill, plain.bill);
     assert_eq!(tied.system.mass().iter().sum::<f64>(), plain.system.mass().iter().sum::<f64>());
@@ -105,7 +105,7 @@ fn stitches_join_folds_but_not_neighbours_along_a_rope() {
         assert!(!joined(stitch.ends[0], stitch.ends[1]));
     }
     assert_eq!(all.segment_label(own), "stitch 1 of row 1");
-    assert_eq!(all.groups[stitches[0].class].class.name(), "stitch");
+    assert_eq!(all.groups[stitches[0].group].class.name(), "stitch");
 }
 
 /// The shortest ways along the ropes of a drawn web from a node to all others, m, (nodes,), by Bellman's method (1958):
@@ -138,7 +138,7 @@ fn a_stitch_joins_the_nearest_node_of_another_fold_that_the_row_has_not_passed()
     }
     let at = |node: usize| walked.iter().position(|&other| other == node);
     let (mut stitched, mut near_but_joined) = (0, 0);
-    for stitch in model.system.segments().iter().filter(|s| model.groups[s.class].class.name() == "stitch") {
+    for stitch in model.system.segments().iter().filter(|s| model.groups[s.group].class.name() == "stitch") {
         let [node, other] = stitch.ends;
         let ways = ways(&model, node);
         assert!(ways[other] > 2.0 * REACH, "{} m of rope", ways[other]);

@@ -140,7 +140,7 @@ fn rope(net: &Model, segments: usize) -> (System, State) {
         mass: vec![mass; nodes],
         held: vec![false; nodes],
         tractor: vec![false; nodes],
-        segments: (0..segments).map(|i| Segment { ends: [i, i + 1], class: 0, ..segment }).collect(),
+        segments: (0..segments).map(|i| Segment { ends: [i, i + 1], group: 0, ..segment }).collect(),
         laws: vec![Law::Linear],
         environment: net.system.environment().clone(),
         ..SystemParts::default()

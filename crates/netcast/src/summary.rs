@@ -44,7 +44,7 @@ pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Out
 /// A break, with the labels of segment and link class.
 fn broken_segment(model: &Model, broken: &Break) -> BrokenSegment {
     let &Break { segment, step: _, time, tension } = broken;
-    let class = &model.groups[model.system.segments()[segment].class].class;
+    let class = &model.groups[model.system.segments()[segment].group].class;
     BrokenSegment {
         time_s: time,
         place: model.segment_label(segment),

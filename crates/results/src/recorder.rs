@@ -91,12 +91,12 @@ impl<'r> Recorder<'r> {
         progress: &'r mut Progress<'r>,
         interrupted: &'r (dyn Fn() -> bool + Sync),
     ) -> Result<Recorder<'r>, ResultError> {
-        ResultError::length("groups of segments", system.class_count(), landmarks.groups.len())?;
+        ResultError::length("groups of segments", system.group_count(), landmarks.groups.len())?;
         let topology = topology(system, &landmarks);
         let of_web = system.mass().iter().zip(system.tractor());
         let of = Measured {
             web_mass: of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect(),
-            groups: system.segments().iter().map(|segment| segment.class).collect(),
+            groups: system.segments().iter().map(|segment| segment.group).collect(),
             membranes: system.membranes().to_vec(),
             channels: system.channels().collect(),
             landmarks,
@@ -320,7 +320,7 @@ fn topology(system: &System, landmarks: &Landmarks) -> FieldsTopology {
     FieldsTopology {
         nodes: system.mass().len(),
         segments: system.segments().iter().map(|s| s.ends.map(|n| n as u32)).collect(),
-        classes: system.segments().iter().map(|segment| class_of(segment.class)).collect(),
+        classes: system.segments().iter().map(|segment| class_of(segment.group)).collect(),
         triangles: triangles.map(|nodes| nodes.map(|node| node as u32)).collect(),
         class_names: landmarks.classes.iter().map(|class| class.name.clone()).collect(),
         labels: labels.collect(),

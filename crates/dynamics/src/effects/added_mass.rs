@@ -91,7 +91,7 @@ fn arms(parts: &SystemParts) -> Option<Vec<Vec<Arm>>> {
     let mut arms = vec![Vec::new(); parts.mass.len()];
     let displaced = air.added_mass * air.medium.density(0.0) * std::f64::consts::FRAC_PI_4;
     for (segment, s) in parts.segments.iter().enumerate() {
-        let Some(rope) = air.ropes[s.class] else { continue };
+        let Some(rope) = air.ropes[s.group] else { continue };
         let taken_along = 0.5 * displaced * rope.diameter * rope.diameter * s.rest_length;
         for end in s.ends {
             if parts.mass[end] > 0.0 && !parts.held[end] {

@@ -54,7 +54,7 @@ impl Effect for Drag {
         // a force that grows with the square of speed has twice the slope that it has on the average
         let slope = |force: DVec3| 2.0 * force.abs().max_element() / fastest.max(f64::MIN_POSITIVE);
         for s in &parts.segments {
-            if let Some(rope) = air.ropes[s.class] {
+            if let Some(rope) = air.ropes[s.group] {
                 let [across, along] = [DVec3::X, DVec3::Z]
                     .map(|way| slope(rope.force(DVec3::Z, fastest * way, s.rest_length, density, viscosity)));
                 s.ends.iter().for_each(|&end| bound.add_drag(Self::NAME, end, 0.5 * across.max(along)));
@@ -112,9 +112,9 @@ impl Effect for Drag {
 
 /// That what drags is there.
 fn check_nodes(parts: &SystemParts, air: &Air) -> Result<(), SystemError> {
-    let (nodes, classes) = (parts.mass.len(), parts.laws.len());
-    if air.ropes.len() != classes {
-        let what = "drag of ropes, link classes of it";
+    let (nodes, groups) = (parts.mass.len(), parts.laws.len());
+    if air.ropes.len() != groups {
+        let what = "number of groups with a drag of ropes";
         return Err(SystemError::Environment { what, value: air.ropes.len() as f64 });
     }
     for (index, sheet) in air.sheets.iter().enumerate() {

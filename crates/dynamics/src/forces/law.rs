@@ -9,7 +9,7 @@
 //! | strut | [`strut`] | k d, and pushes | | rope_damping |
 //!
 //! Beside each works the damper c d' of [`rope_tension`]; all but the strut pull only where they are taut, and never
-//! push. d is the stretch, m. A law belongs to a link class, its stiffness k and damping c to each segment.
+//! push. d is the stretch, m. A law belongs to a group, its stiffness k and damping c to each segment.
 
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::breaking::Breaking;
 
 /// A piece of rope between two nodes: spring and damper along one line, pulling only (the paper's Figure 6) unless the law
-/// of its class says otherwise.
+/// of its group says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// The two nodes that it joins.
@@ -16,8 +16,8 @@ pub struct Segment {
     pub stiffness: f64,
     /// Damping c against the rate of stretch, N s/m.
     pub damping: f64,
-    /// Link class, an index below [`System::class_count`](crate::system::System::class_count).
-    pub class: usize,
+    /// Group, an index below [`System::group_count`](crate::system::System::group_count).
+    pub group: usize,
     /// The load and the strain at which it breaks.
     pub breaking: Breaking,
 }

@@ -42,7 +42,7 @@ impl SystemParts {
                 ("rest length, m", s.rest_length, s.rest_length > 0.0),
                 ("stiffness, N/m", s.stiffness, s.stiffness > 0.0),
                 ("damping, N s/m", s.damping, s.damping >= 0.0),
-                ("class", s.class as f64, s.class < self.laws.len()),
+                ("group", s.group as f64, s.group < self.laws.len()),
             ];
             for (what, value, holds) in checks {
                 if !(holds && value.is_finite()) {
@@ -56,10 +56,10 @@ impl SystemParts {
                 return Err(SystemError::Property { segment, what, value });
             }
         }
-        for (class, law) in self.laws.iter().enumerate() {
+        for (group, law) in self.laws.iter().enumerate() {
             let wrong = law.parameters().into_iter().find(|(_, value, holds)| !(*holds && value.is_finite()));
             if let Some((what, value, _)) = wrong {
-                return Err(SystemError::Law { class, what, value });
+                return Err(SystemError::Law { group, what, value });
             }
         }
         let Environment { gravity, mass_damping, .. } = self.environment;

@@ -41,7 +41,7 @@ pub(super) struct Nodes {
 /// The segments of a block: each joins a slot to the next.
 #[derive(Debug, Clone)]
 pub(super) struct Ropes {
-    pub class: usize,
+    pub group: usize,
     pub law: Law,
     /// Law state of each slot's segment; empty where the law has none.
     pub memory: Vec<Memory>,
@@ -218,11 +218,11 @@ impl Ropes {
             segments.iter().map(|segment| value(&axial(segment))).collect()
         };
         let strengths: Vec<_> = segments.iter().map(|s| s.map(|s| (s.rest_length, s.breaking))).collect();
-        // lone nodes are of no class
-        let law = system.laws().get(plan.class).cloned().unwrap_or_default();
+        // lone nodes are of no group
+        let law = system.laws().get(plan.group).cloned().unwrap_or_default();
         let air = system.environment().air.as_ref();
         Ropes {
-            class: plan.class,
+            group: plan.group,
             memory: if law.remembers() { vec![Memory::default(); filled] } else { Vec::new() },
             law,
             strength: Strength::new(&strengths),
@@ -233,7 +233,7 @@ impl Ropes {
             dissipative: vec![0.0; filled],
             terms: vec![0.0; filled],
             dragging: air.and_then(|air| {
-                let rope = air.ropes.get(plan.class).copied().flatten()?;
+                let rope = air.ropes.get(plan.group).copied().flatten()?;
                 let rest_length: Vec<_> = segments.iter().map(|segment| segment.map(|s| s.rest_length)).collect();
                 Some(Dragging::new(rope, air, &rest_length))
             }),

@@ -77,7 +77,7 @@ pub(super) fn drag_all(
     let Some(air) = &system.environment().air else { return 0.0 };
     let (gust, viscosity, mut sum) = (air.wind.fluctuation.at(time), air.medium.viscosity(), 0.0);
     for block in system.layout().blocks() {
-        let Some(rope) = air.ropes.get(block.class).copied().flatten() else { continue };
+        let Some(rope) = air.ropes.get(block.group).copied().flatten() else { continue };
         let mut lanes = [0.0; LANES];
         for (i, pair) in block.slots.windows(2).enumerate() {
             let Some(index) = pair[0].segment else { continue };

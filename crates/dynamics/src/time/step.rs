@@ -454,12 +454,12 @@ impl<'a> Stepper<'a> {
         self.ropes[block].is_gone(slot)
     }
 
-    /// Largest tension of each class at the last forces, N; `largest` has shape (classes,).
+    /// Largest tension of each group at the last forces, N; `largest` has shape (groups,).
     pub fn largest_tensions(&self, largest: &mut [f64]) {
         largest.fill(0.0);
         for ropes in &self.ropes {
-            // lone nodes are of no class
-            if let Some(most) = largest.get_mut(ropes.class) {
+            // lone nodes are of no group
+            if let Some(most) = largest.get_mut(ropes.group) {
                 *most = most.max(ropes.max_tension);
             }
         }

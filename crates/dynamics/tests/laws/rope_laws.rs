@@ -17,7 +17,7 @@ fn worst_closure(law: usize, share: f64) -> f64 {
     let mut closure = || {
         let mut net = nets::any_net_of_any_law(0.02).new_tree(&mut runner).expect("a net").current();
         for segment in &mut net.parts.segments {
-            (segment.class, segment.breaking) = (law, Breaking::NEVER);
+            (segment.group, segment.breaking) = (law, Breaking::NEVER);
         }
         let system = net.build();
         let schedule = Schedule::new(0.1, 1e-3, share * step_limit(&system).dt.min(1e-3));
@@ -48,7 +48,7 @@ fn a_mass_on_a_relaxing_rope_moves_as_its_differential_equations() {
     // drawn with its weight on it, at rest for long
     let rest_length = 1.0 - mass * gravity / k;
     let (damping, breaking) = (0.0, Breaking::NEVER);
-    net.parts.segments = vec![Segment { ends: [top, bottom], rest_length, stiffness: k, damping, class: 0, breaking }];
+    net.parts.segments = vec![Segment { ends: [top, bottom], rest_length, stiffness: k, damping, group: 0, breaking }];
     net.parts.laws = vec![Law::Viscoelastic(Viscoelastic { ratio, relaxation_time: tau })];
     net.parts.environment = Environment { gravity: -gravity * DVec3::Z, mass_damping: 0.0, ..Environment::default() };
     let system = net.build();
@@ -103,7 +103,7 @@ fn a_square_frame_of_struts_is_held_by_one_of_its_two_ropes() {
     net.parts.environment = Environment { gravity: 1000.0 * DVec3::X, mass_damping: 300.0, ..Environment::default() };
     net.parts.laws = vec![Law::Strut, Law::Linear];
     let side = 1.0;
-    for (ends, rest_length, class) in [
+    for (ends, rest_length, group) in [
         ([0, 1], side, 0),
         ([1, 2], side, 0),
         ([2, 3], side, 0),
@@ -112,7 +112,7 @@ fn a_square_frame_of_struts_is_held_by_one_of_its_two_ropes() {
         ([1, 3], 2f64.sqrt(), 1),
     ] {
         let (stiffness, damping, breaking) = (1e9 / rest_length, 0.0, Breaking::NEVER);
-        net.parts.segments.push(Segment { ends, rest_length, stiffness, damping, class, breaking });
+        net.parts.segments.push(Segment { ends, rest_length, stiffness, damping, group, breaking });
     }
     let system = net.build();
     let mut last = Last::default();

@@ -143,7 +143,7 @@ fn fastest(wind: &Wind) -> f64 {
 fn drawn_solidity(draft: &Draft) -> Option<f64> {
     let area = draft.cut.web.reference_area().filter(|area| *area > 0.0)?;
     let projected = draft.members.iter().filter_map(|Member { segment, .. }| {
-        let group = &draft.groups[segment.class];
+        let group = &draft.groups[segment.group];
         let diameter = group.diameter.filter(|_| group.class != Class::Traction)?;
         let [a, b] = segment.ends.map(|end| draft.cut.nodes[end]);
         Some(a.distance(b) * diameter)
@@ -234,7 +234,7 @@ fn buoy(draft: &Draft, triangles: &[[usize; 3]], lift: f64) -> Buoyancy {
         of_the_web += if is_web { lift * volume } else { 0.0 };
     };
     for Member { segment, .. } in members {
-        let group = &groups[segment.class];
+        let group = &groups[segment.group];
         let section = group.diameter.map_or(0.0, |diameter| 0.25 * PI * diameter * diameter);
         share(&segment.ends, section * segment.rest_length, group.class != Class::Traction);
     }

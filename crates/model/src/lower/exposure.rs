@@ -97,7 +97,7 @@ impl Model {
     fn rope_areas<'a>(&'a self, air: &'a Air) -> impl Iterator<Item = (usize, f64, &'a RopeDrag)> {
         air.ropes.iter().enumerate().filter_map(|(group, drag)| {
             let drag = drag.as_ref()?;
-            let segments = self.system.segments().iter().filter(|segment| segment.class == group);
+            let segments = self.system.segments().iter().filter(|segment| segment.group == group);
             Some((group, drag.diameter * segments.map(|segment| segment.rest_length).sum::<f64>(), drag))
         })
     }

@@ -48,7 +48,7 @@ fn along_ropes(
 ) -> Option<Vec<(usize, DVec3)>> {
     let mut half_lengths = vec![0.0; nodes];
     for Member { segment, .. } in members.iter().filter(|member| member.is_rope()) {
-        if groups[segment.class].class.name() == class {
+        if groups[segment.group].class.name() == class {
             for end in segment.ends {
                 half_lengths[end] += 0.5 * segment.rest_length;
             }

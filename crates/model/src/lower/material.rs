@@ -17,7 +17,7 @@ use super::{canopy_links, rope_law};
 pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> Vec<Link> {
     let rings = rings(web);
     let first_pieces = members.iter().filter_map(|member| match member.part {
-        Part::Rope(CutSegment { place: 0, rope, .. }) => Some((rope, member.segment.class)),
+        Part::Rope(CutSegment { place: 0, rope, .. }) => Some((rope, member.segment.group)),
         _ => None,
     });
     let link = |(rope, group): (usize, usize)| Link {
@@ -224,12 +224,12 @@ impl Piece {
     }
 
     /// The segment between the nodes `ends`. Half of its mass goes to each of them.
-    fn between(&self, ends: [usize; 2], class: usize, mass: &mut [f64]) -> Segment {
+    fn between(&self, ends: [usize; 2], group: usize, mass: &mut [f64]) -> Segment {
         for end in ends {
             mass[end] += 0.5 * self.mass;
         }
         let &Piece { rest_length, stiffness, damping, .. } = self;
-        Segment { ends, rest_length, stiffness, damping, class, breaking: Breaking::NEVER }
+        Segment { ends, rest_length, stiffness, damping, group, breaking: Breaking::NEVER }
     }
 }
 
@@ -238,14 +238,14 @@ impl Piece {
 pub fn add_links(
     cut: &CutWeb,
     made: &canopy_links::Members,
-    class: usize,
+    group: usize,
     members: &mut Vec<Member>,
     mass: &mut [f64],
 ) {
     let spoke = Piece::of_canopy(made, made.spoke_stiffness, made.spoke_mass);
     let side = Piece::of_canopy(made, made.side_stiffness, made.side_mass);
     let mut add = |piece: &Piece, ends: [usize; 2], part: Part| {
-        members.push(Member { segment: piece.between(ends, class, mass), part });
+        members.push(Member { segment: piece.between(ends, group, mass), part });
     };
     for (canopy, hexagon) in cut.web.canopies.iter().enumerate() {
         for number in [0, 3, 1, 4, 2, 5] {

@@ -44,7 +44,7 @@ impl Model {
     fn rope_diameters(&self) -> Vec<f64> {
         let mut diameters = vec![0.0; self.cut.web.ropes.len()];
         for (segment, member) in self.cut.segments().zip(&self.members) {
-            let name = self.groups[member.segment.class].rope.as_ref();
+            let name = self.groups[member.segment.group].rope.as_ref();
             let kind: &Rope = name.and_then(|name| self.scenario.ropes.get(name)).unwrap_or(&self.scenario.rope);
             diameters[segment.rope] = kind.diameter.si();
         }

@@ -36,7 +36,7 @@ impl Model {
     pub fn step_lift(&self) -> Option<String> {
         let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
         let what = match stiffest? {
-            Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].class].class {
+            Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].group].class {
                 Class::Canopy => "canopies".to_owned(),
                 Class::Tie => "break ties".to_owned(),
                 Class::Stitch => "stitches".to_owned(),
@@ -75,7 +75,7 @@ impl Model {
 fn step_fraction(system: &System, groups: &[Group], limit: &StepLimit, solve: &Solve) -> f64 {
     let least = |s: &Segment| damping_ratio(s.damping, system.law(s).largest_stiffness(&s.into()), limit.dt);
     // ties and stitches have no damping, but they are few and break soon
-    let lasting = system.segments().iter().filter(|s| !groups[s.class].class.is_made_to_break());
+    let lasting = system.segments().iter().filter(|s| !groups[s.group].class.is_made_to_break());
     let ratio = lasting.map(least).fold(f64::INFINITY, f64::min);
     let share = |asked: f64, undamped: f64, halved_at: f64| {
         let at_a_quarter = undamped / (1.0 + ratio / halved_at);

@@ -260,7 +260,7 @@ pub fn audit(draft: &mut Draft) -> Result<(), Diagnostics> {
     let path = stow.pattern.table();
     let mut found = Vec::new();
     found.extend(stretched_cloth(document, path, cut, canopies, stowed));
-    let shortened = members.iter().filter(|m| groups[m.segment.class].law == Law::Strut).find_map(|member| {
+    let shortened = members.iter().filter(|m| groups[m.segment.group].law == Law::Strut).find_map(|member| {
         let share = -member.segment.stretch(stowed) / member.segment.rest_length;
         (share > Audit::TOLERANCE).then(|| (member.label(cut), 100.0 * share))
     });

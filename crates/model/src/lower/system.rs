@@ -69,15 +69,15 @@ pub fn build(draft: &mut Draft) -> Result<(), Diagnostics> {
 
 /// The table that an error of the system is about.
 fn place_of(error: &SystemError, draft: &Draft) -> String {
-    let rope_of = |class: usize| {
-        let name = draft.groups.get(class).and_then(|group| group.rope.as_ref());
+    let rope_of = |group: usize| {
+        let name = draft.groups.get(group).and_then(|group| group.rope.as_ref());
         name.map_or("rope".to_owned(), |name| table_of(name).to_string())
     };
     match error {
         SystemError::Property { segment, .. } => {
-            rope_of(draft.members.get(*segment).map_or(usize::MAX, |member| member.segment.class))
+            rope_of(draft.members.get(*segment).map_or(usize::MAX, |member| member.segment.group))
         }
-        SystemError::Law { class, .. } => rope_of(*class),
+        SystemError::Law { group, .. } => rope_of(*group),
         SystemError::Environment { .. } => "environment".to_owned(),
         SystemError::Mass { .. } => "rope".to_owned(),
         SystemError::Empty | SystemError::Shape { .. } | SystemError::Ends { .. } | SystemError::Attached { .. } => {

@@ -114,7 +114,7 @@ impl Thread {
     ///
     /// # Errors
     /// A span longer than the thread, in words.
-    fn segment(&self, ends: [usize; 2], position: &[DVec3], class: usize) -> Result<Segment, String> {
+    fn segment(&self, ends: [usize; 2], position: &[DVec3], group: usize) -> Result<Segment, String> {
         let span = position[ends[0]].distance(position[ends[1]]);
         let rest_length = self.length.unwrap_or(span.max(SHORTEST));
         if span > rest_length * (1.0 + ROUNDING) {
@@ -123,7 +123,7 @@ impl Thread {
         let Rupture { load, strain } = self.rupture;
         let stiffness = load / (strain * rest_length);
         let breaking = Breaking { load, ..Breaking::NEVER };
-        Ok(Segment { ends, rest_length, stiffness, damping: 0.0, class, breaking })
+        Ok(Segment { ends, rest_length, stiffness, damping: 0.0, group, breaking })
     }
 }
 

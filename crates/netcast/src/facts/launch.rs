@@ -95,8 +95,8 @@ pub(super) fn throws(model: &Model) -> Vec<ThrowFacts> {
 pub(super) fn ties(model: &Model) -> Vec<Tied> {
     let breakable = model.groups.iter().enumerate().filter(|(_, group)| group.class.is_made_to_break());
     breakable
-        .map(|(class, group)| {
-            let loads = model.system.segments().iter().filter(|s| s.class == class).map(|s| s.breaking.load);
+        .map(|(number, group)| {
+            let loads = model.system.segments().iter().filter(|s| s.group == number).map(|s| s.breaking.load);
             let kind = if group.class == Class::Tie { "break ties" } else { "stitches" };
             Tied {
                 kind: kind.to_owned(),

@@ -60,7 +60,7 @@ impl Net {
         let (stiffness, mass) = (m.axial_stiffness / rest_length, m.mass_per_length * rest_length);
         let damping = damping_from_ratio(m.damping_ratio, stiffness, mass);
         let breaking = Breaking::NEVER;
-        self.parts.segments.push(Segment { ends: [a, b], rest_length, stiffness, damping, class: 0, breaking });
+        self.parts.segments.push(Segment { ends: [a, b], rest_length, stiffness, damping, group: 0, breaking });
         self.parts.laws.resize(1, Law::Linear);
         self.parts.mass[a] += 0.5 * mass;
         self.parts.mass[b] += 0.5 * mass;
@@ -176,14 +176,14 @@ pub fn surroundings() -> Environment {
     Environment { gravity: DVec3::new(1.0, -2.0, -9.5), mass_damping: 3.0, ..Environment::default() }
 }
 
-/// A stormy, watery air around `net`, in which all of it drags but every third class: its ropes, triangles between
+/// A stormy, watery air around `net`, in which all of it drags but every third group: its ropes, triangles between
 /// knots, its bodies and a few nodes.
 pub fn in_a_storm(net: &mut Net) {
     let mean = power_law(15.0, 10.0, 0.2, 1.5, 20.0);
     let fluctuation = Series { first: 0.0, spacing: 1e-3, values: (0..40).map(wobble).collect() };
     let wind = Wind { direction: DVec3::new(0.6, 0.8, 0.0), mean, fluctuation };
     let rope = RopeDrag { diameter: 0.01, normal: None, tangential: 0.02, solidity: 0.2 };
-    let drag = |class: usize| match class % 3 {
+    let drag = |group: usize| match group % 3 {
         0 => Some(rope),
         1 => Some(RopeDrag { normal: Some(1.2), solidity: 0.0, ..rope }),
         _ => None,
@@ -250,10 +250,10 @@ pub fn any_net_of_any_law(damping_ratio: f64) -> impl Strategy<Value = Net> {
     let of_each = prop::collection::vec((0..laws().len(), any::<bool>(), 0u8..10), 120);
     (any_net(damping_ratio), of_each).prop_map(|(mut net, of_each)| {
         net.parts.laws = laws();
-        let mut class = 0;
+        let mut group = 0;
         for (segment, (law, next, strength)) in net.parts.segments.iter_mut().zip(of_each) {
-            class = if next { law } else { class };
-            segment.class = class;
+            group = if next { law } else { group };
+            segment.group = group;
             segment.breaking = match strength {
                 0 => Breaking { load: 200.0, ..Breaking::NEVER },
                 1 => Breaking { strain: 0.03, ..Breaking::NEVER },
