@@ -137,15 +137,10 @@ impl Footing {
 }
 
 impl Hull {
-    /// A point of `body`, or of a sphere about it, which has `mass`, kg: the mass that the ground meets there is that of
-    /// centre and turning together, m / (1 + r^2/g^2), g the least radius of gyration.
-    pub fn new(
-        index: usize,
-        body: &Body,
-        mass: f64,
-        (arm, radius): (DVec3, f64),
-        spring: impl Fn(f64) -> Spring,
-    ) -> Hull {
+    /// A contact point of `body`, which has `mass`, kg: the lowest point of a sphere of `radius`, m, at `arm`, m, from the
+    /// centre. `spring` makes the spring and damper of an effective mass, kg. That mass includes rotation: it is
+    /// m / (1 + r^2/g^2), with r the distance from the centre and g the least radius of gyration.
+    pub fn new(index: usize, body: &Body, mass: f64, arm: DVec3, radius: f64, spring: impl Fn(f64) -> Spring) -> Hull {
         let gyration_squared = body.inertia.min_element() / mass;
         let reach = arm.length() + radius;
         Hull { body: index, arm, radius, spring: spring(mass / (1.0 + reach * reach / gyration_squared)) }

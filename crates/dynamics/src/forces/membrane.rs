@@ -16,7 +16,7 @@
 //! [`LARGEST_STRETCH`]. Derivation, bound and tests: docs/theory/membrane.md.
 
 use super::element::{Element, ElementError, ElementForces, Property, distinct, not_negative, positive};
-use super::tension_field::{Elasticity, Tautness, TensionField};
+use super::tension_field::{Elasticity, RelaxedStress, Tautness, TensionField};
 use glam::{DVec2, DVec3};
 
 /// Stretch up to which [`Element::stiffness`] is a bound.
@@ -102,7 +102,7 @@ impl Membrane {
 
     /// Stress with the nodes at `position`, m.
     pub fn stress(&self, position: [DVec3; 3]) -> SheetStress {
-        let (tautness, stress) = self.law.stress(self.strain(self.gradient(position)));
+        let RelaxedStress { tautness, components: stress } = self.law.stress(self.strain(self.gradient(position)));
         SheetStress { tautness, components: self.law.tensor(stress) }
     }
 
@@ -157,21 +157,21 @@ impl Element<3> for Membrane {
     fn pull(&self, position: [DVec3; 3], velocity: [DVec3; 3]) -> ElementForces<3> {
         let [f, g] = self.gradient(position);
         let strain = self.strain([f, g]);
-        let response = self.law.stress(strain);
-        let elastic = self.forces([f, g], response.1);
+        let stress = self.law.stress(strain);
+        let elastic = self.forces([f, g], stress.components);
         if self.damping_time == 0.0 {
             return ElementForces { elastic, dissipative: [DVec3::ZERO; 3] };
         }
         let [f_rate, g_rate] = self.gradient(velocity);
         let rate = self.law.components(f.dot(f_rate), g.dot(g_rate), f.dot(g_rate) + g.dot(f_rate));
-        let viscous = self.damping_time * self.law.stress_rate(strain, response, rate);
+        let viscous = self.damping_time * self.law.stress_rate(strain, stress, rate);
         ElementForces { elastic, dissipative: self.forces([f, g], viscous) }
     }
 
     fn elastic_energy(&self, position: [DVec3; 3]) -> f64 {
         // wrinkles do no work: S : e is S : e*
         let strain = self.strain(self.gradient(position));
-        0.5 * self.volume * self.law.stress(strain).1.dot(strain)
+        0.5 * self.volume * self.law.stress(strain).components.dot(strain)
     }
 
     fn stiffness(&self) -> [f64; 3] {
@@ -385,12 +385,12 @@ mod tests {
                 let x = m.strain(m.gradient(strained(along, across, shear)));
                 let rate = DVec3::new(0.3, -0.7, 0.5);
                 let h = 1e-7;
-                let ahead = m.law.stress(x + h * rate).1;
-                let behind = m.law.stress(x - h * rate).1;
-                let response = m.law.stress(x);
-                states.push(response.0);
-                let found = m.law.stress_rate(x, response, rate);
-                assert!(found.distance((ahead - behind) / (2.0 * h)) < 1e-6 * E, "{:?}", response.0);
+                let ahead = m.law.stress(x + h * rate).components;
+                let behind = m.law.stress(x - h * rate).components;
+                let stress = m.law.stress(x);
+                states.push(stress.tautness);
+                let found = m.law.stress_rate(x, stress, rate);
+                assert!(found.distance((ahead - behind) / (2.0 * h)) < 1e-6 * E, "{:?}", stress.tautness);
             }
         }
         assert!(states.contains(&Tautness::Taut) && states.contains(&Tautness::Wrinkled));

@@ -63,6 +63,14 @@ pub enum Tautness {
     Slack,
 }
 
+/// The relaxed stress at a strain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RelaxedStress {
+    pub tautness: Tautness,
+    /// Mean, difference and shear, Pa; see [`TensionField`].
+    pub components: DVec3,
+}
+
 /// Strain to stress.
 ///
 /// Symmetric tensors are written in three components (mean, difference, shear) of axes along the fibres that are
@@ -114,29 +122,30 @@ impl TensionField {
     }
 
     /// The relaxed stress, Pa.
-    pub(super) fn stress(&self, strain: DVec3) -> (Tautness, DVec3) {
+    pub(super) fn stress(&self, strain: DVec3) -> RelaxedStress {
         let taut = self.modulus * strain;
         if self.compresses || taut.x >= DVec2::new(taut.y, taut.z).length() {
-            return (Tautness::Taut, taut);
+            return RelaxedStress { tautness: Tautness::Taut, components: taut };
         }
         let deviation = DVec2::new(strain.y, strain.z);
         if strain.x <= -deviation.length() {
-            return (Tautness::Slack, DVec3::ZERO);
+            return RelaxedStress { tautness: Tautness::Slack, components: DVec3::ZERO };
         }
         let size = self.wrinkled(strain.x, deviation);
         let direction = (deviation / (self.lever() * size - strain.x)).normalize();
-        (Tautness::Wrinkled, size * DVec3::new(1.0, direction.x, direction.y))
+        let components = size * DVec3::new(1.0, direction.x, direction.y);
+        RelaxedStress { tautness: Tautness::Wrinkled, components }
     }
 
-    /// How fast the stress changes, Pa/s, where the strain changes at `rate`, 1/s.
-    pub(super) fn stress_rate(&self, strain: DVec3, (state, stress): (Tautness, DVec3), rate: DVec3) -> DVec3 {
-        match state {
+    /// Rate of the relaxed `stress` at `strain`, Pa/s, if the strain changes at `rate`, 1/s.
+    pub(super) fn stress_rate(&self, strain: DVec3, stress: RelaxedStress, rate: DVec3) -> DVec3 {
+        match stress.tautness {
             Tautness::Taut => self.modulus * rate,
             Tautness::Slack => DVec3::ZERO,
             Tautness::Wrinkled => {
                 // (lever size - mean) direction = deviation, differentiated along |direction| = 1
-                let (size, lever) = (stress.x, self.lever());
-                let n = DVec2::new(stress.y, stress.z) / size;
+                let (size, lever) = (stress.components.x, self.lever());
+                let n = DVec2::new(stress.components.y, stress.components.z) / size;
                 let (turn, compliance) = (DVec2::new(rate.y, rate.z), (lever * size - strain.x).recip());
                 let grows = (n * compliance).dot(turn + rate.x * n) / (n * compliance).dot(lever * n);
                 let turns = (turn - n * (lever * grows - rate.x)) * compliance;
@@ -212,7 +221,7 @@ mod tests {
             .unwrap();
             // S >= 0, A >= 0, S : A = 0: the least of a convex energy, as there is no other
             let strain = law.components(strain.0, strain.1, strain.2);
-            let (_, stress) = law.stress(strain);
+            let stress = law.stress(strain).components;
             let wrinkles = stress / law.modulus - strain;
             let (force, length) = (law.modulus.max_element() * strain.length(), strain.length());
             prop_assert!(least(stress) >= -1e-12 * force, "S = {stress}");

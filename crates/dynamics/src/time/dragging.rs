@@ -115,17 +115,34 @@ impl Dragging {
     }
 }
 
-/// The wind relative to the middle of a segment whose ends move at `u` and `v`, m/s: a mean in some direction, and a gust.
-#[inline(always)]
-fn relative((direction, mean, gust): ([f64; 3], f64, [f64; 3]), u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| (direction[k] * mean + gust[k]) - 0.5 * (u[k] + v[k]))
+/// The wind of a moment: its mean has one direction, and its gust is the same, for all segments.
+#[derive(Clone, Copy)]
+struct WindNow {
+    /// Direction of the mean, a unit vector.
+    direction: [f64; 3],
+    /// Velocity added to the mean, m/s.
+    gust: [f64; 3],
+}
+
+impl WindNow {
+    #[inline(always)]
+    fn of(AirNow { air, gust }: AirNow) -> WindNow {
+        WindNow { direction: air.wind.direction.to_array(), gust }
+    }
+
+    /// The wind of speed `mean`, m/s, relative to the middle of a segment whose ends move at `u` and `v`, m/s.
+    #[inline(always)]
+    fn relative(&self, mean: f64, u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| (self.direction[k] * mean + self.gust[k]) - 0.5 * (u[k] + v[k]))
+    }
 }
 
 /// Density and Reynolds number of every segment, and its normal coefficient as if it were not slow.
 #[inline(always)]
-pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
+pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging, now: AirNow) {
     let Dragging { rope, mean, density, coefficient, scratch, .. } = dragging;
-    let per_viscosity = rope.diameter / air.medium.viscosity();
+    let (wind, medium) = (WindNow::of(now), &now.air.medium);
+    let per_viscosity = rope.diameter / medium.viscosity();
     let by_reynolds = rope.normal.is_none();
     let n = mean.len();
     let (mean, density, coefficient, reynolds) =
@@ -133,12 +150,11 @@ pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging,
     let ([x, y, z], [u, v, w]) = (x, w);
     let (x0, y0, z0, x1, y1, z1) = (&x[..n], &y[..n], &z[..n], &x[1..n + 1], &y[1..n + 1], &z[1..n + 1]);
     let (u0, v0, w0, u1, v1, w1) = (&u[..n], &v[..n], &w[..n], &u[1..n + 1], &v[1..n + 1], &w[1..n + 1]);
-    let direction = air.wind.direction.to_array();
     for i in 0..n {
-        density[i] = air.medium.density(0.5 * (z0[i] + z1[i]));
+        density[i] = medium.density(0.5 * (z0[i] + z1[i]));
         if by_reynolds {
             let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
-            let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
+            let relative = wind.relative(mean[i], [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
             reynolds[i] = density[i] * RelativeFlow::new(span, relative).across * per_viscosity;
             coefficient[i] = plain_coefficient(reynolds[i]);
         }
@@ -147,21 +163,27 @@ pub(super) fn meet_pass(x: &Components, w: &Components, dragging: &mut Dragging,
 
 /// Drag of every segment, and what it does on its way.
 #[inline(always)]
-pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, AirNow { air, gust }: AirNow) {
+pub(super) fn drag_pass(x: &Components, w: &Components, dragging: &mut Dragging, now: AirNow) {
     let Dragging { rope, half_area, half, middle, mean, density, coefficient, scratch, .. } = dragging;
     let [hx, hy, hz] = half;
     let [mx, my, mz] = middle;
-    let direction = air.wind.direction.to_array();
     drag_each(
         [&x[0], &x[1], &x[2]],
         [&w[0], &w[1], &w[2]],
         [half_area, mean, density, coefficient],
-        (rope.tangential, direction, gust),
+        Uniform { wind: WindNow::of(now), tangential: rope.tangential },
         [&mut hx[1..], &mut hy[1..], &mut hz[1..]],
         [mx, my, mz],
         scratch,
     );
     dragging.work = sum(&dragging.scratch);
+}
+
+/// What is the same for all segments of a block.
+struct Uniform {
+    wind: WindNow,
+    /// Tangential coefficient.
+    tangential: f64,
 }
 
 /// The loop of [`drag_pass`].
@@ -170,7 +192,7 @@ fn drag_each(
     [x, y, z]: [&[f64]; 3],
     [u, v, w]: [&[f64]; 3],
     [half_area, mean, density, coefficient]: [&[f64]; 4],
-    (tangential, direction, gust): (f64, [f64; 3], [f64; 3]),
+    Uniform { wind, tangential }: Uniform,
     [hx, hy, hz]: [&mut [f64]; 3],
     [mx, my, mz]: [&mut [f64]; 3],
     work: &mut [f64],
@@ -183,7 +205,7 @@ fn drag_each(
     let (hx, hy, hz, mx, my, mz) = (&mut hx[..n], &mut hy[..n], &mut hz[..n], &mut mx[..n], &mut my[..n], &mut mz[..n]);
     for i in 0..n {
         let span = [x1[i] - x0[i], y1[i] - y0[i], z1[i] - z0[i]];
-        let relative = relative((direction, mean[i], gust), [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
+        let relative = wind.relative(mean[i], [u0[i], v0[i], w0[i]], [u1[i], v1[i], w1[i]]);
         let half = RelativeFlow::new(span, relative).force(coefficient[i], tangential, density[i] * half_area[i]);
         let middle = [0.5 * (x0[i] + x1[i]), 0.5 * (y0[i] + y1[i]), 0.5 * (z0[i] + z1[i])];
         work[i] = -((hx[i] + half[0]) * (middle[0] - mx[i])

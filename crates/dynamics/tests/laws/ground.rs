@@ -81,7 +81,7 @@ fn a_box_dropped_on_an_edge_comes_to_lie_on_its_side() {
     ground.nodes.clear();
     let corners =
         [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| [-1.0, 1.0].map(|z| DVec3::new(0.15 * x, 0.1 * y, 0.05 * z))));
-    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 1.0, (arm, 0.0), |mass| Spring::bouncing(mass, 1e-3, 0.2));
+    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 1.0, arm, 0.0, |mass| Spring::bouncing(mass, 1e-3, 0.2));
     ground.hulls = corners.into_iter().flatten().flatten().map(hull).collect();
     net.parts.environment = lying(ground);
     let (outcome, film) = run(&net, 2.0, 0.1);
@@ -116,7 +116,7 @@ fn a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed() {
     let mut ground = under(&net, 0.3, 0.2);
     ground.nodes.clear();
     let spring = |mass: f64| Spring::bouncing(mass, 1e-3, 0.2);
-    ground.hulls = vec![Hull::new(0, &net.parts.bodies[0], mass, (DVec3::ZERO, radius), spring)];
+    ground.hulls = vec![Hull::new(0, &net.parts.bodies[0], mass, DVec3::ZERO, radius, spring)];
     net.parts.environment = lying(ground);
     let (outcome, film) = run(&net, 0.6, 0.05);
     // it slides for 2 v / (7 mu g) = 0.19 s
@@ -136,12 +136,14 @@ fn a_heavy_box_and_its_rope_come_to_rest_on_the_ground_with_nothing_held() {
     net.state.position[4] = corner + 0.3 * DVec3::Z;
     let at = corner + DVec3::new(0.1, 0.0, 0.3);
     let body = net.body(at, DVec3::ZERO, 50.0, inertia, (DQuat::IDENTITY, DVec3::ZERO), &[4]);
-    net.state.position.iter_mut().for_each(|x| x.z += 0.02);
+    for x in &mut net.state.position {
+        x.z += 0.02;
+    }
     let mut ground = under(&net, 0.5, 0.2);
     ground.nodes.retain(|at| at.node != body);
     let corners = [-0.1, 0.1].map(|x| [-0.1, 0.1].map(|y| [-0.1, 0.1].map(|z| DVec3::new(x, y, z))));
     let spring = |mass: f64| Spring::bouncing(mass, 1e-3, 0.2);
-    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 50.0, (arm, 0.0), spring);
+    let hull = |arm| Hull::new(0, &net.parts.bodies[0], 50.0, arm, 0.0, spring);
     ground.hulls = corners.into_iter().flatten().flatten().map(hull).collect();
     net.parts.environment = lying(ground);
     let system = net.build();
@@ -156,7 +158,9 @@ fn a_heavy_box_and_its_rope_come_to_rest_on_the_ground_with_nothing_held() {
 fn a_rope_laid_down_on_ground_rests_on_it() {
     let soft = Material { axial_stiffness: 1e3, mass_per_length: 0.1, damping_ratio: 0.05 };
     let mut net = Net::rope(1.0, 10, soft);
-    net.state.position.iter_mut().for_each(|x| x.z += 0.01 + 0.02 * x.x);
+    for x in &mut net.state.position {
+        x.z += 0.01 + 0.02 * x.x;
+    }
     net.parts.environment = lying(under(&net, 0.5, 0.2));
     let accuracy = Accuracy { tolerance: 1e-6, max_iterations: 1_000_000 };
     let found = relax(&net.build(), &net.state, &accuracy, 1, &mut |_| true);

@@ -27,7 +27,7 @@ pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
         let (mass, of_it) = (parts.mass[body.centre], placed.iter().find(|placed| placed.rigid == Some(index)));
         let points = match of_it.map(|placed| placed.solid.shape) {
             Some(Shape::Sphere { diameter_m }) => {
-                hulls.push(Hull::new(index, body, mass, (DVec3::ZERO, 0.5 * diameter_m), spring));
+                hulls.push(Hull::new(index, body, mass, DVec3::ZERO, 0.5 * diameter_m, spring));
                 continue;
             }
             Some(Shape::Cylinder { diameter_m, height_m }) => rims(diameter_m, height_m),
@@ -35,7 +35,7 @@ pub fn lay(draft: &mut Draft) -> Result<(), Diagnostics> {
             // a plate touches the ground at its nodes
             Some(Shape::Particle { .. }) | None => body.ties.iter().map(|tie| tie.arm).collect(),
         };
-        hulls.extend(points.into_iter().map(|arm| Hull::new(index, body, mass, (arm, 0.0), spring)));
+        hulls.extend(points.into_iter().map(|arm| Hull::new(index, body, mass, arm, 0.0, spring)));
     }
     let is_centre = |node: usize| parts.bodies.iter().any(|body| body.centre == node);
     let movable = (0..parts.mass.len()).filter(|&node| parts.mass[node] > 0.0 && !parts.held[node] && !is_centre(node));

@@ -93,7 +93,9 @@ impl Net {
         self.parts.mass[centre] = mass;
         let arm = |node: usize| rotation.0.inverse() * (self.state.position[node] - position);
         let ties: Vec<Tie> = ties.iter().map(|&node| Tie { node, arm: arm(node) }).collect();
-        ties.iter().for_each(|tie| self.parts.mass[tie.node] = 0.0);
+        for tie in &ties {
+            self.parts.mass[tie.node] = 0.0;
+        }
         let body = Body { centre, inertia, ties };
         self.state.rotation.push(body.turning(rotation.0, rotation.1));
         self.parts.bodies.push(body);
@@ -214,7 +216,7 @@ pub fn on_the_ground_of_a_moon(net: &mut Net) {
     let heavy = net.parts.mass.iter().enumerate().filter(|(node, mass)| **mass > 0.0 && !has_hull(*node));
     let hulls = net.parts.bodies.iter().enumerate().flat_map(|(index, body)| {
         let mass = net.parts.mass[body.centre];
-        [-0.1, 0.1].map(|side| Hull::new(index, body, mass, (DVec3::new(side, 0.05, -0.1), 0.01), spring))
+        [-0.1, 0.1].map(|side| Hull::new(index, body, mass, DVec3::new(side, 0.05, -0.1), 0.01, spring))
     });
     let ground = Ground {
         height: -0.2,
