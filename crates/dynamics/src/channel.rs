@@ -1,6 +1,6 @@
 //! The channels of the energy balance: where energy can be, and where it can go.
 
-use std::ops::{Index, IndexMut};
+use std::ops::{AddAssign, Index, IndexMut};
 
 use serde::{Deserialize, Serialize};
 
@@ -99,6 +99,14 @@ impl ByChannel {
     /// The sum over all channels, J.
     pub fn sum(&self) -> f64 {
         self.0.iter().sum()
+    }
+}
+
+impl AddAssign for ByChannel {
+    fn add_assign(&mut self, other: ByChannel) {
+        for (own, other) in self.0.iter_mut().zip(other.0) {
+            *own += other;
+        }
     }
 }
 

@@ -50,8 +50,7 @@ impl Ledger {
             ledger.channels[Channel::RopeHysteresis] += law.hysteresis(&axial, &memory);
         }
         if let Some(effects) = effects {
-            let stored = effects.stored(state);
-            Channel::ALL.iter().for_each(|&channel| ledger.channels[channel] += stored[channel]);
+            ledger.channels += effects.stored(state);
         }
         ledger
     }

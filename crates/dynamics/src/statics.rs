@@ -199,7 +199,9 @@ pub fn relax(
 /// Nodes and bodies that stay fixed in a relaxation of a system from a state.
 fn resting(system: &System, state: &State) -> Resting {
     let mut thrown: Vec<bool> = state.velocity.iter().map(|velocity| *velocity != DVec3::ZERO).collect();
-    system.launchers().iter().for_each(|launcher| thrown[launcher.node] = true);
+    for launcher in system.launchers() {
+        thrown[launcher.node] = true;
+    }
     let mut held: Vec<bool> = system.held().iter().zip(&thrown).map(|(held, thrown)| *held || *thrown).collect();
     let bodies = system.bodies();
     for tie in bodies.iter().filter(|body| thrown[body.centre]).flat_map(|body| &body.ties) {
@@ -236,7 +238,9 @@ fn fictitious(system: &System, resting: &Resting) -> System {
     let bodies: Vec<Body> = resting.turning.iter().map(|&body| slow_body(&system.bodies()[body])).collect();
     // unit masses first, to find the mass that each node needs
     let mut unit_mass = vec![1.0; system.mass().len()];
-    bodies.iter().flat_map(|body| &body.ties).for_each(|tie| unit_mass[tie.node] = 0.0);
+    for tie in bodies.iter().flat_map(|body| &body.ties) {
+        unit_mass[tie.node] = 0.0;
+    }
     let rest = effects_at_rest(system, resting);
     let mut parts = SystemParts {
         mass: unit_mass,

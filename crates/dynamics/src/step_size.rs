@@ -43,7 +43,9 @@ fn bound_of(system: &System) -> Bound {
     let mut bound = Bound::new(system.mass().len());
     for (i, s) in system.segments().iter().enumerate() {
         let stiffness = system.law(s).largest_stiffness(&s.into());
-        s.ends.iter().for_each(|&node| bound.add(node, stiffness, s.damping, Stiff::Segment(i)));
+        for node in s.ends {
+            bound.add(node, stiffness, s.damping, Stiff::Segment(i));
+        }
     }
     effects::bound(system.parts(), &mut bound);
     bound
@@ -89,11 +91,16 @@ fn touched(system: &System, at: &Bound, what: Option<Stiff>) -> Vec<bool> {
     match what {
         Some(Stiff::Segment(segment)) => {
             let group = system.segments()[segment].group;
-            let of_group = system.segments().iter().filter(|s| s.group == group);
-            of_group.flat_map(|s| s.ends).for_each(|node| touched[node] = true);
+            for node in system.segments().iter().filter(|s| s.group == group).flat_map(|s| s.ends) {
+                touched[node] = true;
+            }
         }
         Some(Stiff::Effect { name, .. }) => match at.share_of(name) {
-            Some(share) => touched.iter_mut().zip(share).for_each(|(touched, share)| *touched = *share > 0.0),
+            Some(share) => {
+                for (touched, share) in touched.iter_mut().zip(share) {
+                    *touched = *share > 0.0;
+                }
+            }
             None => effects::nodes(system.parts(), Some(name), &mut |node| touched[node] = true),
         },
         None => {}

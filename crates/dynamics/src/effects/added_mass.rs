@@ -40,7 +40,9 @@ impl Effect for AddedMass {
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
         if parts.environment.air.as_ref().is_some_and(|air| air.added_mass > 0.0) {
-            (0..parts.mass.len()).for_each(act_on);
+            for node in 0..parts.mass.len() {
+                act_on(node);
+            }
         }
     }
 

@@ -33,7 +33,9 @@ impl Effect for Bends {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.bends.iter().flat_map(Element::nodes).for_each(act_on);
+        for node in parts.bends.iter().flat_map(Element::nodes) {
+            act_on(node);
+        }
     }
 
     fn asks(parts: &SystemParts, ask: &mut dyn FnMut(usize)) {
@@ -95,8 +97,9 @@ fn bends_over(parts: &SystemParts) -> BTreeMap<usize, Vec<usize>> {
     }
     for (index, bend) in parts.bends.iter().enumerate() {
         let [before, at, after] = bend.nodes();
-        let joined = [[before, at], [at, after]].into_iter().filter_map(|ends| between.get(&sorted(ends)));
-        joined.for_each(|&segment| over.entry(segment).or_default().push(index));
+        for segment in [[before, at], [at, after]].into_iter().filter_map(|ends| between.get(&sorted(ends))) {
+            over.entry(*segment).or_default().push(index);
+        }
     }
     over
 }

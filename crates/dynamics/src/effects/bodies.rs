@@ -50,7 +50,9 @@ impl Effect for Bodies {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.bodies.iter().for_each(|body| act_on(body.centre));
+        for body in &parts.bodies {
+            act_on(body.centre);
+        }
     }
 
     /// Stiffness and damping at a tie act on the body.
@@ -64,7 +66,9 @@ impl Effect for Bodies {
 
     fn joins(parts: &SystemParts, join: &mut dyn FnMut(usize, usize)) {
         for body in &parts.bodies {
-            body.ties.iter().for_each(|tie| join(tie.node, body.centre));
+            for tie in &body.ties {
+                join(tie.node, body.centre);
+            }
         }
     }
 

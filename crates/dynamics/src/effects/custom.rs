@@ -46,7 +46,9 @@ impl Effect for Customs {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.custom.iter().flat_map(|effect| effect.nodes()).for_each(act_on);
+        for node in parts.custom.iter().flat_map(|effect| effect.nodes()) {
+            act_on(node);
+        }
     }
 
     fn bound(parts: &SystemParts, bound: &mut Bound) {
@@ -61,7 +63,9 @@ impl Effect for Customs {
 
     fn act<N: Net>(&mut self, now: &Now, net: &N, out: &mut Forces) {
         for Custom { effect, traced, force } in &mut self.0 {
-            traced.iter().for_each(|(node, _)| force[*node] = DVec3::ZERO);
+            for (node, _) in &*traced {
+                force[*node] = DVec3::ZERO;
+            }
             effect.act(now.time, net, force);
             for (node, traced) in traced {
                 out.force[*node] += force[*node];
@@ -75,7 +79,9 @@ impl Effect for Customs {
     }
 
     fn remember(&mut self, memory: &Vec<Vec<f64>>) {
-        self.0.iter_mut().zip(memory).for_each(|(custom, memory)| custom.effect.remember(memory));
+        for (custom, memory) in self.0.iter_mut().zip(memory) {
+            custom.effect.remember(memory);
+        }
     }
 
     fn remembered(memory: &Vec<Vec<f64>>) -> usize {

@@ -34,16 +34,26 @@ impl Effect for Drag {
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
-        parts.environment.air.iter().try_for_each(|air| check_nodes(parts, air).and_then(|()| check_values(air)))
+        let Some(air) = &parts.environment.air else { return Ok(()) };
+        check_nodes(parts, air)?;
+        check_values(air)
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
         Drag::asks(parts, act_on);
-        parts.environment.air.iter().flat_map(|air| &air.bodies).for_each(|body| act_on(body.node));
+        if let Some(air) = &parts.environment.air {
+            for body in &air.bodies {
+                act_on(body.node);
+            }
+        }
     }
 
     fn asks(parts: &SystemParts, ask: &mut dyn FnMut(usize)) {
-        parts.environment.air.iter().flat_map(|air| &air.sheets).flat_map(|sheet| sheet.nodes).for_each(ask);
+        if let Some(air) = &parts.environment.air {
+            for node in air.sheets.iter().flat_map(|sheet| sheet.nodes) {
+                ask(node);
+            }
+        }
     }
 
     /// A bound on the slope of drag against speed at each node, of ropes too: that of the force on a node, all nodes
@@ -57,12 +67,16 @@ impl Effect for Drag {
             if let Some(rope) = air.ropes[s.group] {
                 let [across, along] = [DVec3::X, DVec3::Z]
                     .map(|way| slope(rope.force(DVec3::Z, fastest * way, s.rest_length, density, viscosity)));
-                s.ends.iter().for_each(|&end| bound.add_drag(Self::NAME, end, 0.5 * across.max(along)));
+                for end in s.ends {
+                    bound.add_drag(Self::NAME, end, 0.5 * across.max(along));
+                }
             }
         }
         for sheet in &air.sheets {
             let whole = density * sheet.coefficient * sheet.area * fastest;
-            sheet.nodes.iter().for_each(|&node| bound.add_drag(Self::NAME, node, whole / 3.0));
+            for node in sheet.nodes {
+                bound.add_drag(Self::NAME, node, whole / 3.0);
+            }
         }
         for body in &air.bodies {
             let along = DVec3::AXES.map(|way| slope(body.shape.force(fastest * way, density, viscosity)));

@@ -60,7 +60,9 @@ impl<const N: usize> Elements<N> {
 
     /// Removes the elements that acted for the last time; called after nodes have moved.
     pub fn remove_leaving(&mut self) {
-        self.leaving.drain(..).for_each(|index| self.gone[index] = true);
+        for index in self.leaving.drain(..) {
+            self.gone[index] = true;
+        }
     }
 
     /// Adds their forces to `force`, N, (nodes,), in their order. Returns the work of their dissipative forces since the

@@ -44,7 +44,9 @@ impl Effect for Footings {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        footings(parts).for_each(|(_, at)| act_on(at.node));
+        for (_, at) in footings(parts) {
+            act_on(at.node);
+        }
     }
 
     fn bound_carried(parts: &SystemParts, bound: &mut Bound) {
@@ -66,7 +68,9 @@ impl Effect for Footings {
     }
 
     fn bears(parts: &SystemParts, bear: &mut dyn FnMut(usize)) {
-        footings(parts).for_each(|(_, at)| bear(at.node));
+        for (_, at) in footings(parts) {
+            bear(at.node);
+        }
     }
 
     fn act<N: Net>(&mut self, now: &Now, net: &N, out: &mut Forces) {
@@ -147,7 +151,9 @@ impl Effect for Hulls {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        hulls(parts).for_each(|(_, hull)| act_on(parts.bodies[hull.body].centre));
+        for (_, hull) in hulls(parts) {
+            act_on(parts.bodies[hull.body].centre);
+        }
     }
 
     fn bound_carried(parts: &SystemParts, bound: &mut Bound) {

@@ -58,7 +58,9 @@ impl Effect for Launchers {
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
         let nodes = parts.mass.len();
         let mut taken = vec![false; nodes];
-        parts.bodies.iter().flat_map(|body| &body.ties).for_each(|tie| taken[tie.node] = true);
+        for tie in parts.bodies.iter().flat_map(|body| &body.ties) {
+            taken[tie.node] = true;
+        }
         for (index, launcher) in parts.launchers.iter().enumerate() {
             let node = launcher.node;
             if node >= nodes || parts.held[node] || std::mem::replace(&mut taken[node], true) {
@@ -73,7 +75,9 @@ impl Effect for Launchers {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.launchers.iter().for_each(|launcher| act_on(launcher.node));
+        for launcher in &parts.launchers {
+            act_on(launcher.node);
+        }
     }
 
     /// A spring between the launcher and its node.

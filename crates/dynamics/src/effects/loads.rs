@@ -37,7 +37,9 @@ impl Effect for Loads {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.loads.iter().for_each(|load| act_on(load.node));
+        for load in &parts.loads {
+            act_on(load.node);
+        }
     }
 
     /// Loads that act from the start, on what is free to move.

@@ -237,7 +237,9 @@ impl Watch {
         add(out);
         for (kept, now, before) in [(&mut kept.force, &out.force, before.0), (&mut kept.torque, &out.torque, before.1)]
         {
-            kept.iter_mut().zip(now.iter().zip(before)).for_each(|(kept, (now, before))| *kept += *now - before);
+            for (kept, (now, before)) in kept.iter_mut().zip(now.iter().zip(before)) {
+                *kept += *now - before;
+            }
         }
     }
 
@@ -341,7 +343,9 @@ impl<'a> Effects<'a> {
         self.forces.carried.clear();
         self.forces.turned.clear();
         self.with_now(&Team::default(), time, |list, now, forces, _| {
-            list.all().rev().for_each(|effect| effect.moved(now, &node, forces));
+            for effect in list.all().rev() {
+                effect.moved(now, &node, forces);
+            }
         });
         std::mem::swap(&mut self.turning, &mut self.forces.turned);
         self.is_first = false;
@@ -350,13 +354,17 @@ impl<'a> Effects<'a> {
 
     /// Tells effects the positions and velocities of nodes at the start.
     pub fn placed(&mut self, node: impl Fn(usize) -> Moving) {
-        self.list.all().for_each(|effect| effect.placed(self.parts, &node));
+        for effect in self.list.all() {
+            effect.placed(self.parts, &node);
+        }
     }
 
     /// Takes out what belongs to segments that are broken, (segments,).
     pub fn put_broken(&mut self, broken: &[bool]) {
         for segment in (0..broken.len()).filter(|&segment| broken[segment]) {
-            self.list.all().for_each(|effect| effect.gone(self.parts, segment));
+            for effect in self.list.all() {
+                effect.gone(self.parts, segment);
+            }
         }
     }
 

@@ -33,7 +33,9 @@ impl Effect for BesideOrbit {
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
         if parts.environment.orbit.is_some() {
-            (0..parts.mass.len()).for_each(act_on);
+            for node in 0..parts.mass.len() {
+                act_on(node);
+            }
         }
     }
 

@@ -32,7 +32,9 @@ impl Effect for Membranes {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.membranes.iter().flat_map(Element::nodes).for_each(act_on);
+        for node in parts.membranes.iter().flat_map(Element::nodes) {
+            act_on(node);
+        }
     }
 
     fn asks(parts: &SystemParts, ask: &mut dyn FnMut(usize)) {
@@ -82,7 +84,9 @@ impl Effect for Hinges {
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        parts.hinges.iter().flat_map(Element::nodes).for_each(act_on);
+        for node in parts.hinges.iter().flat_map(Element::nodes) {
+            act_on(node);
+        }
     }
 
     fn asks(parts: &SystemParts, ask: &mut dyn FnMut(usize)) {

@@ -144,7 +144,9 @@ impl Nodes {
             None => self.collect_at_knots(ropes, of_effects),
             Some(dragging) => {
                 // clear first: slots that are not knots would keep the last step's drag
-                self.elsewhere.iter_mut().for_each(|force| force.fill(0.0));
+                for force in &mut self.elsewhere {
+                    force.fill(0.0);
+                }
                 self.collect_at_knots(ropes, of_effects);
                 dragging.add_to(&mut self.elsewhere);
             }
@@ -189,12 +191,17 @@ impl Nodes {
         Moving { x: vector(&self.x), v: vector(&self.v), w: vector(&self.w) }
     }
 
-    /// Moves the node that has its home in `slot`, and sends its new state to its other slots.
-    pub fn carry(&mut self, slot: usize, moving: Moving, sent: &mut [KnotState]) {
-        let Moving { x, v, w } = moving;
+    /// Writes the state of a node into one of its slots: position, m, half-step and extrapolated velocity, m/s.
+    pub fn put(&mut self, slot: usize, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
         for k in 0..3 {
             (self.x[k][slot], self.v[k][slot], self.w[k][slot]) = (x[k], v[k], w[k]);
         }
+    }
+
+    /// Moves the node that has its home in `slot`, and sends its new state to its other slots.
+    pub fn carry(&mut self, slot: usize, moving: Moving, sent: &mut [KnotState]) {
+        let Moving { x, v, w } = moving;
+        self.put(slot, x.into(), v.into(), w.into());
         if let Ok(place) = self.exchange.homes.binary_search_by_key(&(slot as u32), |(home, _)| *home) {
             sent[place] = [x.x, x.y, x.z, w.x, w.y, w.z];
         }

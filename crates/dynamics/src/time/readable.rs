@@ -131,8 +131,10 @@ impl<'a> Readable<'a> {
         self.effects.part(self.failing.iter().copied());
         self.effects.couple(&team, time, &net);
         let forces = self.effects.forces();
-        forces.released.iter().for_each(|&(node, before)| self.velocity[node] = before);
-        Channel::ALL.iter().for_each(|&channel| self.work[channel] += forces.work[channel]);
+        for &(node, before) in &forces.released {
+            self.velocity[node] = before;
+        }
+        self.work += forces.work;
     }
 
     /// Adds tension and drag of segments to `force`, N, (nodes,), slot by slot in the layout's order; see

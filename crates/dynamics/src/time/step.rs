@@ -109,7 +109,9 @@ impl<'a> Stepper<'a> {
         } = self;
         // segments that break now still pull in this step: they are kept as whole, and break again on resuming
         let mut ropes = self.ropes();
-        self.failing().for_each(|failing| ropes.broken[failing.segment] = false);
+        for failing in self.failing() {
+            ropes.broken[failing.segment] = false;
+        }
         let by_node = |value: fn(&Nodes, usize) -> [f64; 3]| {
             let homes = system.layout().homes().iter();
             homes.map(|&Address { block, slot }| value(&nodes[block], slot).into()).collect()
@@ -133,7 +135,9 @@ impl<'a> Stepper<'a> {
             memory: if self.system.remembers() { memory.collect() } else { Vec::new() },
             broken: segments().map(|(ropes, slot)| ropes.is_gone(slot)).collect(),
         };
-        self.failing().for_each(|failing| state.broken[failing.segment] = true);
+        for failing in self.failing() {
+            state.broken[failing.segment] = true;
+        }
         state
     }
 
@@ -193,7 +197,7 @@ impl<'a> Stepper<'a> {
             if !system.held()[node] && system.mass()[node] > 0.0 {
                 let (v, a) = (velocity[node], self.acceleration(node));
                 let before = std::array::from_fn(|k| self.factors.before_start(v[k], a[k]));
-                self.put(home, position[node].into(), before, v.into());
+                self.nodes[home.block].put(home.slot, position[node].into(), before, v.into());
             }
         }
         if let Some(effects) = &mut self.effects {
@@ -206,10 +210,12 @@ impl<'a> Stepper<'a> {
         for (block, plan) in self.system.layout().blocks().iter().enumerate() {
             for (slot, content) in plan.slots.iter().enumerate() {
                 let value = |values: &[DVec3]| values[content.node].to_array();
-                self.put(Address { block, slot }, value(position), value(half_step_velocity), value(extrapolated));
+                self.nodes[block].put(slot, value(position), value(half_step_velocity), value(extrapolated));
             }
         }
-        self.nodes.iter().zip(&mut self.knot_states).for_each(|(nodes, sent)| nodes.send_knots(sent));
+        for (nodes, sent) in self.nodes.iter().zip(&mut self.knot_states) {
+            nodes.send_knots(sent);
+        }
         if let Some(effects) = &mut self.effects {
             effects.placed(|node| Moving { x: position[node], v: half_step_velocity[node], w: extrapolated[node] });
         }
@@ -228,13 +234,6 @@ impl<'a> Stepper<'a> {
         }
         if let Some(effects) = &mut self.effects {
             effects.put_broken(&state.broken);
-        }
-    }
-
-    fn put(&mut self, at: Address, x: [f64; 3], v: [f64; 3], w: [f64; 3]) {
-        let (nodes, slot) = (&mut self.nodes[at.block], at.slot);
-        for k in 0..3 {
-            (nodes.x[k][slot], nodes.v[k][slot], nodes.w[k][slot]) = (x[k], v[k], w[k]);
         }
     }
 
@@ -294,7 +293,9 @@ impl<'a> Stepper<'a> {
         // released nodes start with their launch velocity
         for &(node, before) in &effects.forces().released {
             let Address { block, slot } = homes[node];
-            self.nodes[block].v.iter_mut().zip(before.to_array()).for_each(|(v, before)| v[slot] = before);
+            for (v, before) in self.nodes[block].v.iter_mut().zip(before.to_array()) {
+                v[slot] = before;
+            }
         }
     }
 
@@ -316,7 +317,7 @@ impl<'a> Stepper<'a> {
         work[Channel::Air] = dragging.map(|drag| drag.work).sum();
         let mut turning = 0.0;
         if let Some(effects) = &self.effects {
-            Channel::ALL.iter().for_each(|&channel| work[channel] += effects.forces().work[channel]);
+            work += effects.forces().work;
             turning = effects.forces().turning;
         }
         StepSums {

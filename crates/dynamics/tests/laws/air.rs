@@ -178,7 +178,9 @@ fn a_loose_sheet_in_water_is_bounded_by_drag_alone_and_so_is_a_plate() {
     let bound = |as_plate: bool| {
         let mut net = Net::default();
         let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| net.node(corner, DVec3::ZERO));
-        corners.iter().for_each(|&corner| net.parts.mass[corner] = 0.1);
+        for corner in corners {
+            net.parts.mass[corner] = 0.1;
+        }
         if as_plate {
             let at = DVec3::new(1.0, 1.0, 0.0) / 3.0;
             net.body(at, DVec3::ZERO, 0.3, DVec3::splat(0.01), (DQuat::IDENTITY, DVec3::ZERO), &corners);

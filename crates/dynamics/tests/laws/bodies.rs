@@ -197,7 +197,9 @@ proptest! {
         let mut net = rod_between_ropes(DVec3::ZERO, DVec3::new(0.0, wy, 1.0));
         // without damping, whose cost the limit counts too; and bars, for near the limit every slack-taut event gains
         // energy, with bodies or without
-        net.parts.segments.iter_mut().for_each(|s| s.damping = 0.0);
+        for s in &mut net.parts.segments {
+            s.damping = 0.0;
+        }
         net.parts.laws = vec![Law::Strut];
         let (_, outcome) = fly(&net, 0.9);
         prop_assert!(outcome.stopped.is_none(), "{:?}", outcome.stopped);

@@ -96,7 +96,9 @@ fn nothing_bends_over_a_segment_that_is_gone() {
     let corners = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];
     let nodes = corners.map(|corner| net.node(corner, DVec3::ZERO));
     let soft = nets::Material { axial_stiffness: 1e4, mass_per_length: 1.0, damping_ratio: 0.0 };
-    nodes.windows(2).for_each(|ends| net.segment(ends[0], ends[1], 1.0, soft));
+    for ends in nodes.windows(2) {
+        net.segment(ends[0], ends[1], 1.0, soft);
+    }
     net.state.velocity[2] = 30.0 * DVec3::Y;
     net.parts.segments[1].breaking = Breaking { load: 500.0, ..Breaking::NEVER };
     net.stiffen(50.0);

@@ -40,9 +40,13 @@ impl CustomEffect for ToOrigin {
     }
 
     fn act(&mut self, _: f64, net: &dyn moving::Net, force: &mut [DVec3]) {
-        self.nodes.iter().for_each(|&node| self.farthest = self.farthest.max(net.node(node).x.length()));
+        for &node in &self.nodes {
+            self.farthest = self.farthest.max(net.node(node).x.length());
+        }
         let stiffness = self.stiffness / (1.0 + SOFTER * self.farthest);
-        self.nodes.iter().for_each(|&node| force[node] -= stiffness * net.node(node).x);
+        for &node in &self.nodes {
+            force[node] -= stiffness * net.node(node).x;
+        }
     }
 
     fn bound(&self) -> Vec<(usize, f64, f64)> {

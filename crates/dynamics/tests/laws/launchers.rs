@@ -122,7 +122,9 @@ fn what_waits_for_its_time_stays_and_then_has_its_velocity() {
 fn a_rope_pulled_out_of_two_launchers_closes_its_energy() {
     let rope = Material { axial_stiffness: 2e4, mass_per_length: 0.05, damping_ratio: 0.05 };
     let mut net = Net::rope(1.0, 10, rope);
-    net.state.position.iter_mut().for_each(|x| *x = DVec3::new(0.3 * x.x, 0.0, -0.1));
+    for x in &mut net.state.position {
+        *x = DVec3::new(0.3 * x.x, 0.0, -0.1);
+    }
     let rear = 10;
     let axis = DQuat::from_rotation_y(0.3);
     let direction = axis * DVec3::Z;

@@ -31,7 +31,9 @@ fn sheet(n: usize, compresses: bool, damping_time: f64) -> Net {
         let rest = corners.map(|(i, j)| flat(i, j));
         net.parts.membranes.push(Membrane::new(nodes, rest, &fabric).unwrap());
         let area = 0.5 * (rest[1] - rest[0]).perp_dot(rest[2] - rest[0]);
-        nodes.iter().for_each(|&node| net.parts.mass[node] += density * thickness * area / 3.0);
+        for node in nodes {
+            net.parts.mass[node] += density * thickness * area / 3.0;
+        }
     };
     for i in 0..n {
         for j in 0..n {
@@ -92,7 +94,9 @@ fn a_thrown_sheet_keeps_momentum_and_its_energy_balance_closes() {
 #[test]
 fn at_the_limit_of_the_step_a_sheet_does_not_come_apart_and_well_beyond_it_does() {
     let mut net = sheet(6, true, 0.0);
-    net.state.velocity.iter_mut().for_each(|v| *v *= 0.01);
+    for v in &mut net.state.velocity {
+        *v *= 0.01;
+    }
     let (_, outcome) = fly(&net, 0.95, 1);
     assert!(outcome.stopped.is_none(), "{:?}", outcome.stopped);
     let (_, outcome) = fly(&net, 3.0, 1);
@@ -114,7 +118,9 @@ fn threads_do_not_change_a_bit_of_a_sheet() {
         (sums, stepper.motion())
     };
     let one = run(1);
-    [2, 3, 8].into_iter().for_each(|threads| assert!(run(threads) == one, "{threads} threads"));
+    for threads in [2, 3, 8] {
+        assert!(run(threads) == one, "{threads} threads");
+    }
 }
 
 #[test]
