@@ -1,4 +1,4 @@
-//! What an earlier run left, and whether it can go on.
+//! Folder and checkpoint of an earlier run, checked before the run is resumed.
 
 use std::path::Path;
 
@@ -7,8 +7,10 @@ use netcast_results::{Checkpoint, ResultFolder, folder};
 use crate::error::RunError;
 use crate::inputs::Inputs;
 
-/// The folder of the run that goes on, and its checkpoint; no checkpoint where that run died before its first, and this
-/// one begins at the start.
+/// The folder of the resumed run, and its checkpoint: `None` if the run died before writing one. It then starts again.
+///
+/// # Errors
+/// [`RunError::OtherInputs`] if the earlier run had other inputs, or those of [`ResultFolder::resuming`].
 pub(crate) fn left_behind(
     target: &Path,
     inputs: &Inputs,

@@ -1,15 +1,16 @@
-//! `fields.part`: the fields of a run that is under way, appended to frame by frame.
+//! Journal of a run's frames (`fields.part`), appended to while the run goes on.
 //!
-//! HDF5 cannot be appended to safely: a file that was not closed need not open again. So frames go to a journal, of which
-//! every whole frame is readable at any moment, and become `fields.vtkhdf` at the end of the run.
+//! An HDF5 file that was not closed may not open again, so a run cannot append frames to `fields.vtkhdf`. It appends them
+//! to a journal, of which every complete frame can be read at any moment. At the end of the run the journal becomes
+//! `fields.vtkhdf`.
 //!
 //! ```text
 //! magic          "netcast fields 2"
 //! block          topology, by postcard
-//! block, ...     a frame: time, positions, velocities, tensions, orientations; f64, little-endian
+//! block, ...     one frame each: time, positions, velocities, tensions, orientations; f64, little-endian
 //! ```
 //!
-//! Blocks carry their length and a checksum; see `sealed.rs`.
+//! Each block has its length and a checksum; see `sealed.rs`.
 
 use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Write};
@@ -21,7 +22,7 @@ use crate::tally::{Extent, Tally};
 use crate::vtkhdf::{append_quaternions, append_vectors};
 use crate::{FieldsTopology, FieldsWriter, ResultError, sealed};
 
-/// The first bytes of a journal; the number is that of the format.
+/// The first bytes of a journal; the number is the version of the format.
 const MAGIC: &[u8; 16] = b"netcast fields 2";
 
 /// Appends frames to a journal.
@@ -33,7 +34,7 @@ pub struct JournalWriter {
 }
 
 impl JournalWriter {
-    /// A new journal at `path`.
+    /// Creates a journal at `path` and writes the topology.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -45,8 +46,8 @@ impl JournalWriter {
         Ok(journal)
     }
 
-    /// The journal at `path` as it was when it had come to `extent`; later frames are cut off. None where it does not
-    /// begin so.
+    /// Opens the journal at `path` and removes all bytes after `extent`. Returns `None` if its bytes up to there are not those
+    /// of `extent`.
     ///
     /// # Errors
     /// [`ResultError::Read`].
@@ -59,8 +60,8 @@ impl JournalWriter {
         Self { path: path.to_path_buf(), file: BufWriter::new(file), frame: Vec::new() }
     }
 
-    /// Appends a frame: time in s, positions in m, velocities in m/s, tensions in N, orientations of rigid bodies, of as
-    /// many nodes, segments and bodies as the topology has.
+    /// Appends a frame at `time`, s. Positions, m, and velocities, m/s: (nodes,). Tensions, N: (segments,). Orientations of
+    /// rigid bodies: (bodies,). The counts are those of the topology.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -81,7 +82,7 @@ impl JournalWriter {
         sealed::write(&mut self.file, &self.frame).map_err(ResultError::write(&self.path))
     }
 
-    /// Hands what was appended to the operating system, so that it outlasts this process.
+    /// Passes all frames to the operating system, so that they survive a crash of this process.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -89,7 +90,7 @@ impl JournalWriter {
         self.file.flush().map_err(ResultError::write(&self.path))
     }
 
-    /// Flushes, and returns when what was appended outlasts a loss of power.
+    /// Flushes, and returns once all frames would survive a loss of power. Returns the extent of the journal.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -100,10 +101,10 @@ impl JournalWriter {
     }
 }
 
-/// The whole frames of a journal, and how many bytes after them are none.
+/// Reads the complete frames of a journal. Returns them, and the number of bytes after them that are no complete frame.
 ///
 /// # Errors
-/// [`ResultError::Read`], or [`ResultError::NotFields`] where not even the topology is whole.
+/// [`ResultError::Read`], or [`ResultError::NotFields`] if the topology is incomplete or damaged.
 pub fn read_journal(path: &Path) -> Result<(FieldsWriter, u64), ResultError> {
     let unreadable = || ResultError::read(path);
     let file = File::open(path).map_err(unreadable())?;

@@ -1,12 +1,13 @@
-//! The result folder: written aside, swapped in when complete.
+//! The result folder, written beside its target and moved into place when it is complete.
 //!
-//! A run writes into a folder beside its target; [`ResultFolder::publish`] puts that in the target's place. So a reader
-//! sees the old result or the new one, never a mixture. A run that failed publishes what it computed in the same way,
-//! with `finished: false` in its summary. What takes seconds is written into a hidden folder of which nothing is left
-//! if it does not come to its end; a run is written into a visible one, `<target>.running`, that outlasts a crash and
-//! from which the run can go on (`running.rs`).
+//! A command writes into a folder beside its target, and [`ResultFolder::publish`] puts that folder in the target's place.
+//! So a reader sees the old result or the new one, never a mixture. A run that failed publishes what it computed in the
+//! same way, with `finished: false` in its summary. A command of seconds writes into a hidden folder, which is removed if
+//! the command fails. A run writes into a visible one, `<target>.running`, which survives a crash so that the run can be
+//! resumed (`running.rs`).
 //!
-//! A folder that netcast wrote (its manifest says so) is replaced as a whole; one that holds anything else is refused.
+//! A target that netcast wrote, which its manifest shows, is replaced as a whole. Any other folder that is not empty is
+//! refused.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -16,13 +17,13 @@ use crate::folder::{CHECKPOINT, FIELDS, FIELDS_PART, OURS, PICTURES, REPORT, SUM
 use crate::running::{self, Lock};
 use crate::{Manifest, ResultError, stream, whole};
 
-/// A result folder in the making. Dropped before [`publish`](Self::publish), it leaves nothing behind, unless it was
-/// said to [`keep`](Self::keep) what it has.
+/// A result folder that is not published yet. If it is dropped before [`publish`](Self::publish) it is removed, unless
+/// [`keep`](Self::keep) was called.
 #[derive(Debug)]
 pub struct ResultFolder {
     target: PathBuf,
     aside: PathBuf,
-    /// Held where the folder is that of a run.
+    /// The lock of a run's folder; `None` for any other.
     lock: Option<Lock>,
     kept: bool,
     /// Whether its run can go on.
@@ -30,11 +31,11 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Makes the folder to write into, beside `target`, whose parents are created where they are missing.
+    /// Creates a hidden folder beside `target`, and the missing parents of `target`.
     ///
     /// # Errors
-    /// [`ResultError::TargetIsFile`], [`ResultError::TargetNotOurs`] or [`ResultError::TargetHoldsCurrent`] where
-    /// `target` must not be replaced, with nothing written; [`ResultError::TargetUnwritable`] where it cannot be made.
+    /// [`ResultError::TargetIsFile`], [`ResultError::TargetNotOurs`] or [`ResultError::TargetHoldsCurrent`] if `target` must
+    /// not be replaced; nothing is written then. [`ResultError::TargetUnwritable`] if the folder cannot be created.
     pub fn create(target: &Path) -> Result<Self, ResultError> {
         let target = resolve(target)?;
         require_replaceable(&target)?;
@@ -45,11 +46,11 @@ impl ResultFolder {
         Ok(Self { target, aside, lock: None, kept: false, goes_on: false })
     }
 
-    /// Makes `<target>.running`, or takes it over from a run that died before its first checkpoint.
+    /// Creates `<target>.running`, or takes it over from a run that died before its first checkpoint.
     ///
     /// # Errors
-    /// Those of [`create`](Self::create), with nothing written; [`ResultError::InUse`] where another run is at work
-    /// there, [`ResultError::LeftBehind`] where one left a checkpoint there.
+    /// Those of [`create`](Self::create). [`ResultError::InUse`] if another run writes there, [`ResultError::LeftBehind`] if
+    /// an earlier run left a checkpoint there.
     pub fn running(target: &Path) -> Result<Self, ResultError> {
         let target = resolve(target)?;
         require_replaceable(&target)?;
@@ -61,13 +62,13 @@ impl ResultFolder {
         Ok(Self { target, aside, lock: Some(lock), kept: false, goes_on: false })
     }
 
-    /// Makes the folder of a run that goes on from where an earlier one with this target stopped or died, with its
-    /// checkpoint in it; without one where it died before its first. `agrees` is asked first whether the run is the
-    /// same, with the folder that it left.
+    /// Creates the folder of a run that resumes an earlier run with this target. It contains the checkpoint of the earlier
+    /// run, unless that died before its first. `agrees` gets the folder of the earlier run and checks that it is the same
+    /// run; it is called before anything changes.
     ///
     /// # Errors
-    /// Those of [`running`](Self::running) and of `agrees`, [`ResultError::NothingToResume`]; what the earlier run left
-    /// is then as it was.
+    /// Those of [`running`](Self::running) and of `agrees`, and [`ResultError::NothingToResume`]. The folder of the earlier
+    /// run does not change then.
     pub fn resuming<E: From<ResultError>>(target: &Path, agrees: impl Fn(&Path) -> Result<(), E>) -> Result<Self, E> {
         let target = resolve(target)?;
         require_replaceable(&target)?;
@@ -91,7 +92,7 @@ impl ResultFolder {
         };
         agrees(&left)?;
         if left == folder.aside {
-            // what was made of it since to be looked at is not of the run that goes on
+            // files that were made from it to inspect the run are no part of the resumed run
             running::forget(&folder.aside, &[SUMMARY, FIELDS, REPORT, PICTURES])?;
         } else {
             running::clear(&folder.aside)?;
@@ -103,7 +104,7 @@ impl ResultFolder {
         Ok(folder)
     }
 
-    /// From now on the folder stays where it is when it is dropped, whatever happens: what is in it took time.
+    /// Keeps the folder when it is dropped: its contents took time to compute.
     pub fn keep(&mut self) {
         self.kept = true;
     }
@@ -121,21 +122,21 @@ impl ResultFolder {
         running::forget(&self.aside, &[CHECKPOINT])
     }
 
-    /// Where to write until the folder is published.
+    /// The folder to write into until it is published.
     pub fn path(&self) -> &Path {
         &self.aside
     }
 
-    /// Where the folder will stand once published.
+    /// The path of the folder after it is published.
     pub fn target(&self) -> &Path {
         &self.target
     }
 
-    /// Puts the folder in its target's place and returns that.
+    /// Moves the folder to its target, and returns the path of that.
     ///
     /// # Errors
-    /// Those of [`create`](Self::create), since the target may have changed meanwhile. The old result then still stands
-    /// and the new one is removed, unless it was to be kept.
+    /// Those of [`create`](Self::create), since the target may have changed meanwhile. The old result then stays, and the
+    /// new one is removed unless [`keep`](Self::keep) was called.
     pub fn publish(mut self) -> Result<PathBuf, ResultError> {
         require_replaceable(&self.target)?;
         if let Some(lock) = self.lock.take() {
@@ -155,7 +156,7 @@ impl ResultFolder {
             return Ok(self.target.clone());
         }
         if exchange(&self.aside, &self.target) {
-            // the old result now stands aside; a run of its own that did not end is not to be gone on with from there
+            // the old result now stands aside; without its checkpoint nobody resumes a run from there
             keep_foreign(&self.aside, &self.target)?;
             running::forget(&self.aside, &[CHECKPOINT])?;
             fs::remove_dir_all(&self.aside).map_err(ResultError::write(&self.aside))?;
@@ -164,7 +165,7 @@ impl ResultFolder {
         let old = unused_beside(&self.target, "old");
         fs::rename(&self.target, &old).map_err(ResultError::write(&self.target))?;
         if let Err(source) = fs::rename(&self.aside, &self.target) {
-            // the old result goes back; should that fail too, it is still whole, beside its place
+            // move the old result back; if that fails too, it is still complete beside its place
             let _ = fs::rename(&old, &self.target);
             return Err(ResultError::Write { path: self.target.clone(), source });
         }
@@ -176,15 +177,15 @@ impl ResultFolder {
 
 impl Drop for ResultFolder {
     fn drop(&mut self) {
-        // after publishing there is nothing here; a destructor has nobody to tell of a failure
+        // after publishing there is nothing to remove; a destructor cannot report a failure
         if !self.kept {
             let _ = fs::remove_dir_all(&self.aside);
         }
     }
 }
 
-/// Lets two folders change places in one step, so that a kill finds one of them in either place; false where the file
-/// system cannot.
+/// Exchanges two folders in one step, so that after a kill each place still has a complete folder. Returns false if the
+/// file system cannot.
 #[cfg(target_os = "linux")]
 fn exchange(one: &Path, other: &Path) -> bool {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
@@ -196,7 +197,7 @@ fn exchange(_: &Path, _: &Path) -> bool {
     false
 }
 
-/// The absolute path that `target` stands for, links followed as far as it exists.
+/// The absolute path of `target`; links are followed if it exists.
 fn resolve(target: &Path) -> Result<PathBuf, ResultError> {
     match fs::canonicalize(target) {
         Ok(path) => Ok(path),
@@ -207,7 +208,7 @@ fn resolve(target: &Path) -> Result<PathBuf, ResultError> {
     }
 }
 
-/// Refuses a target that is not free, empty, or a result of ours.
+/// Checks that `target` does not exist, is an empty folder, or is a result of netcast.
 fn require_replaceable(target: &Path) -> Result<(), ResultError> {
     let path = || target.to_path_buf();
     match fs::metadata(target) {
@@ -227,7 +228,7 @@ fn require_replaceable(target: &Path) -> Result<(), ResultError> {
     Ok(())
 }
 
-/// A hidden name beside `target`, on the same file system so that a rename swaps it in, that nothing bears yet.
+/// An unused hidden name beside `target`, thus on the same file system, so that a rename can move the folder to `target`.
 fn unused_beside(target: &Path, role: &str) -> PathBuf {
     let candidate = |attempt: u32| {
         let mut name = OsString::from(".");
@@ -238,8 +239,8 @@ fn unused_beside(target: &Path, role: &str) -> PathBuf {
     (0..).map(candidate).find(|path| !path.exists()).expect("names do not run out")
 }
 
-/// Moves what is not netcast's own from the old result to the new one: notes that a user left there stay, in the
-/// folders of a comparison's designs too.
+/// Moves files that netcast did not write, such as notes of a user, from the old result to the new one, also in the
+/// folders of a comparison's designs.
 fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
     let designs = designs_in(old);
     for entry in fs::read_dir(old).map_err(ResultError::read(old))? {
@@ -251,7 +252,7 @@ fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
         } else if designs.iter().any(|design| name == **design) {
             keep_foreign(&entry.path(), &to)?;
         } else {
-            // where a design is not compared any more, its folder remains for the notes in it
+            // the folder of a design that is no longer compared remains, for the notes in it
             fs::create_dir_all(new).map_err(ResultError::write(new))?;
             fs::rename(entry.path(), &to).map_err(ResultError::write(&to))?;
         }
@@ -259,7 +260,7 @@ fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
     Ok(())
 }
 
-/// The folders of the designs that a comparison in `folder` holds; none in the result of a run.
+/// The folders of the designs of a comparison in `folder`; empty for the result of a run.
 fn designs_in(folder: &Path) -> Vec<String> {
     let summary = fs::read_to_string(folder.join(SUMMARY)).ok();
     let summary: Option<serde_json::Value> = summary.and_then(|text| serde_json::from_str(&text).ok());
@@ -305,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_shows_before_it_is_complete_and_nothing_is_left_of_an_abandoned_run() {
+    fn the_old_result_stays_until_the_new_one_is_complete_and_an_abandoned_one_is_removed() {
         let root = tempfile::tempdir().unwrap();
         let target = root.path().join("net");
         publish(&target, "first").unwrap();
@@ -344,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_folder_is_taken() {
+    fn an_empty_folder_is_accepted_as_target() {
         let root = tempfile::tempdir().unwrap();
         publish(&root.path().join("net"), "first").unwrap();
         let target = root.path().join("empty");
@@ -354,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_ours_is_refused_and_kept() {
+    fn a_target_that_netcast_did_not_write_is_refused_and_stays() {
         let root = tempfile::tempdir().unwrap();
         let thesis = root.path().join("thesis");
         fs::create_dir(&thesis).unwrap();
@@ -372,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn a_parent_that_is_a_file_is_an_error_that_names_it() {
+    fn if_the_parent_is_a_file_the_error_names_it() {
         let root = tempfile::tempdir().unwrap();
         let file = root.path().join("file");
         fs::write(&file, "").unwrap();
@@ -381,14 +382,14 @@ mod tests {
     }
 
     #[test]
-    fn the_current_folder_is_not_swapped_away() {
+    fn the_current_folder_and_its_parents_are_refused_as_target() {
         for target in [Path::new("."), Path::new("..")] {
             assert!(matches!(ResultFolder::create(target), Err(ResultError::TargetHoldsCurrent { .. })));
         }
     }
 
     #[test]
-    fn a_run_is_in_sight_and_keeps_others_out_until_it_is_published() {
+    fn the_folder_of_a_run_is_visible_and_locked_until_it_is_published() {
         let root = tempfile::tempdir().unwrap();
         let target = root.path().join("net");
         let folder = ResultFolder::running(&target).unwrap();
@@ -402,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_did_not_begin_leaves_nothing_and_one_that_did_leaves_all() {
+    fn the_folder_of_a_run_is_removed_unless_it_was_to_be_kept() {
         let root = tempfile::tempdir().unwrap();
         let target = root.path().join("net");
         drop(ResultFolder::running(&target).unwrap());
@@ -419,7 +420,7 @@ mod tests {
     }
 
     #[test]
-    fn what_took_time_to_compute_is_not_thrown_away_by_the_next_run() {
+    fn a_new_run_refuses_to_replace_a_checkpoint() {
         let root = tempfile::tempdir().unwrap();
         let target = root.path().join("net");
         let mut folder = ResultFolder::running(&target).unwrap();
@@ -431,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_of_that_name_which_is_not_ours_is_refused_and_kept() {
+    fn a_running_folder_that_netcast_did_not_write_is_refused_and_stays() {
         let root = tempfile::tempdir().unwrap();
         let target = root.path().join("net");
         fs::create_dir(running::beside(&target)).unwrap();
@@ -441,7 +442,7 @@ mod tests {
     }
 
     #[test]
-    fn there_is_nothing_to_resume_where_nothing_was_run() {
+    fn resuming_without_an_earlier_run_is_an_error_and_leaves_nothing() {
         let root = tempfile::tempdir().unwrap();
         let resumed = ResultFolder::resuming::<ResultError>(&root.path().join("net"), |_| Ok(()));
         assert!(matches!(resumed, Err(ResultError::NothingToResume { .. })));

@@ -5,22 +5,22 @@ use std::path::Path;
 use crate::stream::Stream;
 use crate::{Fields, FieldsTopology, History, ResultError};
 
-/// What `history.csv` and `fields.vtkhdf` hold, as values.
+/// The contents of `history.csv` and `fields.vtkhdf`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// One row a record step.
+    /// One row for each record.
     pub history: History,
-    /// Every node and rope, in time.
+    /// One frame for each record.
     pub fields: Fields,
 }
 
 impl Series {
-    /// Nothing yet, of these columns and this topology.
+    /// Without records, with these columns and this topology.
     pub fn new(columns: Vec<String>, topology: FieldsTopology) -> Self {
         Self { history: History::new(columns), fields: Fields::new(topology) }
     }
 
-    /// Writes `history.csv` and `fields.vtkhdf` into `folder`, byte for byte as a run that writes as it goes.
+    /// Writes `history.csv` and `fields.vtkhdf` into `folder`, with the same bytes as a run that appends to its files.
     ///
     /// # Errors
     /// [`ResultError`] names the file that cannot be written.

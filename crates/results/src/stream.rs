@@ -1,4 +1,4 @@
-//! History and fields of a run that is under way, on the disk as they come.
+//! History and fields of a run, appended to files while the run goes on.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -10,10 +10,10 @@ use crate::measures::KeptFrame;
 use crate::tally::{Extent, Tally};
 use crate::{FieldsTopology, FieldsWriter, ResultError, folder, history, read_fields, whole};
 
-/// Longest time on the clock that what was recorded stays in this process, where records are not further apart.
+/// Time between flushes: a record waits no longer in this process, unless the next one comes later.
 const FLUSH_EVERY: Duration = Duration::from_secs(1);
 
-/// How far the files of a run had come.
+/// Extents of the two files of a run at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Written {
     history: Extent,
@@ -29,7 +29,7 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// New files in `folder`.
+    /// Creates both files in `folder`.
     ///
     /// # Errors
     /// [`ResultError`] names the file that cannot be written.
@@ -43,10 +43,10 @@ impl Stream {
         Ok(stream)
     }
 
-    /// The files in `folder` as they were when they had come as far as `written` says; what follows is cut off.
+    /// Opens both files in `folder` and removes all bytes after the extents in `written`.
     ///
     /// # Errors
-    /// [`ResultError::Changed`] names the file that does not begin as it did then.
+    /// [`ResultError::Changed`] names the file whose bytes up to its extent have changed.
     pub fn reopen(folder: &Path, written: Written) -> Result<Self, ResultError> {
         let path = folder.join(folder::HISTORY);
         let changed = |path: PathBuf| move || ResultError::Changed { path };
@@ -71,12 +71,12 @@ impl Stream {
         written.map_err(ResultError::csv(&self.folder.join(folder::HISTORY)))
     }
 
-    /// The fields.
+    /// The journal of fields.
     pub fn fields(&mut self) -> &mut JournalWriter {
         &mut self.fields
     }
 
-    /// Flushes where it is time to.
+    /// Flushes if a second has passed since the last flush.
     ///
     /// # Errors
     /// As [`Stream::flush`].
@@ -84,7 +84,7 @@ impl Stream {
         if self.flushed.elapsed() < FLUSH_EVERY { Ok(()) } else { self.flush() }
     }
 
-    /// Hands what was appended to the operating system, so that it outlasts this process.
+    /// Passes all records to the operating system, so that they survive a crash of this process.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -94,7 +94,7 @@ impl Stream {
         self.fields.flush()
     }
 
-    /// Flushes, and returns when what was appended outlasts a loss of power.
+    /// Flushes, and returns once all records would survive a loss of power. Returns the extents of both files.
     ///
     /// # Errors
     /// [`ResultError::Write`].
@@ -108,7 +108,7 @@ impl Stream {
     /// until the folder is in its place: a run that is killed meanwhile can go on from it.
     ///
     /// # Errors
-    /// [`ResultError`] where a file cannot be written.
+    /// [`ResultError`] names the file that cannot be read or written.
     pub fn finish<'f>(mut self, moments: impl IntoIterator<Item = &'f KeptFrame>) -> Result<(), ResultError> {
         self.flush()?;
         let part = self.folder.join(folder::FIELDS_PART);
@@ -120,12 +120,12 @@ impl Stream {
     }
 }
 
-/// Writes `fields.vtkhdf` into `folder`, whole or not at all.
+/// Writes `fields.vtkhdf` into `folder`, completely or not at all.
 fn write_fields(folder: &Path, fields: FieldsWriter) -> Result<(), ResultError> {
     whole::write(&folder.join(folder::FIELDS), |path| fields.finish(path))
 }
 
-/// Brings history and fields of the result in `from` back into the form that a run appends to, in `to`.
+/// Copies the history of the result in `from` to `to`, and writes its fields there as a journal, so that a run can append.
 ///
 /// # Errors
 /// [`ResultError`] names the file that cannot be read or written.

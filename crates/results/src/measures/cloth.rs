@@ -1,4 +1,4 @@
-//! What sheets bear: the largest principal stress of any triangle, at every step.
+//! Largest principal stress in sheets, over all triangles and steps.
 
 use glam::DVec3;
 use netcast_dynamics::forces::element::Element;
@@ -9,7 +9,7 @@ use super::peak::Peak;
 use crate::landmarks::Landmarks;
 use crate::summary::SheetStress;
 
-/// The largest stress so far, and which triangle bore it.
+/// The largest stress so far, and its triangle.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ClothMeasures {
     stress: Peak,
@@ -17,7 +17,7 @@ pub struct ClothMeasures {
 }
 
 impl ClothMeasures {
-    /// Takes the triangles into account with their nodes at `position`, m, at `time`, s.
+    /// Adds the stresses at `time`, s; `position` gives the place of a node, m.
     pub fn add(&mut self, membranes: &[Membrane], time: f64, position: impl Fn(usize) -> DVec3) {
         for (index, triangle) in membranes.iter().enumerate() {
             if self.stress.add(time, triangle.stress(triangle.nodes().map(&position)).largest()) {
@@ -26,7 +26,7 @@ impl ClothMeasures {
         }
     }
 
-    /// The summary's part; none where there are no sheets.
+    /// The section of the summary; `None` for a net without sheets.
     pub fn finish(self, membranes: &[Membrane], landmarks: &Landmarks) -> Option<SheetStress> {
         let nodes = membranes.get(self.triangle)?.nodes();
         let canopy = landmarks.canopies.iter().position(|canopy| canopy.triangles.contains(&nodes));

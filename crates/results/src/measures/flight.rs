@@ -1,4 +1,4 @@
-//! How long the web hangs in the air, the spell about its apex; how far it drifts, and when it comes down.
+//! Apex, hang time, drift, touchdown and rest of the web, from the path of its centre of mass.
 
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -6,29 +6,29 @@ use serde::{Deserialize, Serialize};
 use super::spell::Spells;
 use crate::summary::Flight;
 
-/// Share of its greatest height above which the web counts as hanging.
+/// The web hangs while its height is above this share of the apex height.
 const HANGING: f64 = 0.95;
 
-/// How near it stays to where it ends when it lies still, m.
+/// Largest distance from the last position at which the web counts as at rest, m.
 const STILL: f64 = 0.05;
 
 /// Follows the web's centre of mass.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FlightMeasures {
-    /// Time, s, where it is, m, and whether anything touches the ground, at every record.
+    /// At every record: time, s, centre of mass, m, and whether the web touches the ground.
     places: Vec<(f64, DVec3, bool)>,
 }
 
 impl FlightMeasures {
-    /// Where it is, m, at a check, s, and whether anything touches the ground; times ascend.
+    /// Adds the centre of mass, m, at `time`, s, and whether the web touches the ground. Times ascend.
     pub fn add(&mut self, time: f64, place: DVec3, touches: bool) {
         if place.is_finite() {
             self.places.push((time, place, touches));
         }
     }
 
-    /// The apex and the longest spell within 5 % of it, the drift and the landing. A web that never gets above the muzzle
-    /// and above where it started has no apex.
+    /// Apex, longest spell within 5 % of the apex height, drift and landing. A web that never rises above the muzzle and above
+    /// its start has no apex.
     pub fn finish(&self) -> Flight {
         let heights = || self.places.iter().map(|(time, place, _)| (*time, place.z));
         let higher = |one: (f64, f64), other: (f64, f64)| if other.1 > one.1 { other } else { one };
@@ -55,10 +55,10 @@ impl FlightMeasures {
         }
     }
 
-    /// The drift, and what happens after the time `apex`, s.
+    /// Drift, touchdown after the time `apex`, s, and start of the rest.
     fn landing(&self, apex: f64) -> Flight {
         let [(_, start, _), .., (last, end, lies)] = self.places[..] else { return Flight::default() };
-        // what lies there from the start is not pressed into the ground yet at the first record
+        // a web that lies on the ground at the start does not touch it yet at the first record
         let mut flying = self.places.iter().skip(1).skip_while(|(.., touches)| *touches);
         let touch = flying.find(|(time, _, touches)| *time > apex && *touches);
         let moves = self.places.iter().rposition(|(_, place, _)| place.distance(end) > STILL);
@@ -110,15 +110,17 @@ mod tests {
         assert_eq!((flight.drift_m, flight.drift_azimuth_rad), (Some(6.0), Some(std::f64::consts::FRAC_PI_2)));
     }
 
-    /// What is followed at a record a second.
+    /// Measures of these places, m, and contacts with the ground, at one record a second.
     fn followed(records: impl IntoIterator<Item = (DVec3, bool)>) -> Flight {
         let mut flight = FlightMeasures::default();
-        (0..).zip(records).for_each(|(time, (place, touches))| flight.add(f64::from(time), place, touches));
+        for (time, (place, touches)) in (0..).zip(records) {
+            flight.add(f64::from(time), place, touches);
+        }
         flight.finish()
     }
 
     #[test]
-    fn what_lies_on_the_ground_from_the_start_never_comes_down() {
+    fn a_web_that_starts_on_the_ground_has_no_touchdown() {
         // settles by less than 5 cm; the first record is from before it is pressed into the ground
         let lying = followed((0..5).map(|second| (DVec3::X - 1e-3 * f64::from(second) * DVec3::Z, second > 0)));
         assert_eq!((lying.touches_down_s, lying.lies_from_s), (None, Some(0.0)));
@@ -133,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn what_only_rises_or_falls_drifts_in_no_direction() {
+    fn a_web_that_only_rises_or_falls_has_no_drift_azimuth() {
         let drift = |to: DVec3| {
             let flight = followed([(DVec3::ZERO, false), (to, false)]);
             (flight.drift_m, flight.drift_azimuth_rad)
@@ -143,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn what_only_falls_has_no_apex_and_what_only_rises_is_still_up() {
+    fn a_web_that_only_falls_has_no_apex_and_one_that_only_rises_is_still_up() {
         let along = |sign: f64| followed((0..10).map(|step| (sign * f64::from(step) * DVec3::Z, false)));
         assert_eq!(along(-1.0).apex_height_m, None);
         assert_eq!(along(1.0).still_up, Some(true));

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flat_net_covers_its_area_however_it_lies() {
+    fn a_flat_net_turned_in_its_plane_covers_its_area() {
         let area = net(6, turned).area();
         assert!((area - 36.0).abs() < 36.0 * 2e-4, "{area}");
     }
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn a_net_folded_over_covers_half_though_its_outline_cancels() {
+    fn a_net_folded_in_two_covers_half_its_area() {
         // the half y > 3 lies on the half y < 3
         let folded = net(6, |x, y| turned(x, if y > 3.0 { 6.0 - y } else { y }));
         assert!((folded.area() - 18.0).abs() < 18.0 * 2e-4, "{}", folded.area());
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_has_no_silhouette() {
+    fn without_cells_or_finite_places_there_is_no_silhouette() {
         let view = Projection::along(DVec3::Z);
         assert_eq!(Silhouette::new(&view, &[vec![0, 1, 2]], |_| DVec3::NAN), None);
         assert_eq!(Silhouette::new(&view, &[], |_| DVec3::ZERO), None);

@@ -1,8 +1,8 @@
-//! Spells: the times during which a quantity stays beyond a threshold.
+//! Spells: the intervals of time in which a quantity is at or above a threshold.
 
 use serde::{Deserialize, Serialize};
 
-/// Follows a quantity and keeps the spells in which it is at least zero; crossings are found by linear interpolation.
+/// Finds the spells in which a quantity is at least zero; crossings are interpolated linearly.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Spells {
     last: Option<(f64, f64)>,
@@ -13,7 +13,7 @@ pub struct Spells {
 }
 
 impl Spells {
-    /// The next value; times ascend. One that is not finite is passed over.
+    /// Adds a value at `time`, s; times ascend. A value that is not finite is ignored.
     pub fn add(&mut self, time: f64, value: f64) {
         if !value.is_finite() {
             return;
@@ -35,7 +35,7 @@ impl Spells {
         self.last = Some((time, value));
     }
 
-    /// Whether a spell goes on.
+    /// Whether a spell has begun and not ended.
     pub fn is_open(&self) -> bool {
         self.open.is_some()
     }
@@ -45,7 +45,7 @@ impl Spells {
         self.first
     }
 
-    /// The longest spell and the length of all, s; one that lasts to the end ends there.
+    /// Start and end of the longest spell, and the total length of all, s. An open spell ends with the last value.
     pub fn finish(mut self) -> (Option<(f64, f64)>, f64) {
         if let (Some(start), Some((end, _))) = (self.open, self.last) {
             self.close(start, end);
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spells_of_a_sine() {
+    fn spells_of_a_sine_have_its_crossings_and_lengths() {
         // sin(t) - 1/2 on [0, 4 pi]: above zero from pi/6 to 5 pi/6, twice
         let mut spells = Spells::default();
         let pi = std::f64::consts::PI;
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spell_without_end_lasts_to_the_end_and_none_is_none() {
+    fn an_open_spell_ends_with_the_last_value_and_without_values_there_is_no_spell() {
         let mut spells = Spells::default();
         spells.add(0.0, 1.0);
         spells.add(2.0, 3.0);
