@@ -158,7 +158,7 @@ fn curves_carry_the_numbers_of_the_history_in_a_fitting_unit() {
 }
 
 #[test]
-fn the_page_shows_words_and_numbers() {
+fn the_page_has_the_sentences_and_the_table_of_numbers() {
     let page = page(&summary(), &history());
     assert!(page.contains("<li>Opens to 15.8 m² (97 % of the flat web) at 0.131 s.</li>"));
     assert!(page.contains("<li>The air is left out.</li>"));

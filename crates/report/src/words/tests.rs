@@ -46,7 +46,7 @@ fn full() -> Value {
 }
 
 #[test]
-fn beside_an_orbit_nothing_hangs_about_an_apex() {
+fn in_an_orbit_no_hang_time_is_reported() {
     let mut summary = full();
     assert!(words(&summary).iter().any(|told| told.contains("hangs within")));
     summary["energy"]["channels"] = json!({"orbit": 1e-4});
@@ -54,7 +54,7 @@ fn beside_an_orbit_nothing_hangs_about_an_apex() {
 }
 
 #[test]
-fn of_a_run_that_came_apart_only_that_is_told() {
+fn a_run_that_diverged_has_no_sentences_but_that_and_a_warning() {
     let mut summary = full();
     summary["finished"] = json!(false);
     summary["energy"]["closure"] = json!(0.993);
@@ -64,7 +64,7 @@ fn of_a_run_that_came_apart_only_that_is_told() {
 }
 
 #[test]
-fn of_an_equilibrium_no_story_is_told() {
+fn an_equilibrium_is_described_without_times() {
     let mut summary = full();
     summary["step"] = json!({"count": 0});
     summary["points"]["centre"] = json!({"peak_travel_m": -0.695});
@@ -90,7 +90,7 @@ fn of_an_equilibrium_no_story_is_told() {
 }
 
 #[test]
-fn a_launch_is_told_in_full() {
+fn a_complete_summary_gives_all_sentences_in_order() {
     assert_eq!(
         words(&full()),
         [
@@ -113,7 +113,7 @@ fn a_launch_is_told_in_full() {
 }
 
 #[test]
-fn what_is_null_or_missing_is_not_spoken_of() {
+fn values_that_are_null_or_missing_give_no_sentence() {
     assert!(words(&json!({})).is_empty());
     let summary = json!({
         "finished": true,
@@ -127,7 +127,7 @@ fn what_is_null_or_missing_is_not_spoken_of() {
 }
 
 #[test]
-fn a_web_that_is_open_as_it_begins_does_not_open() {
+fn a_web_that_starts_open_is_not_said_to_open() {
     let about_opening = |to: f64, total: f64| {
         let opening = json!({"area_max_m2": 15.7, "area_max_time_s": 0.8, "reference_area_m2": 16.0,
                              "effective_from_s": 0.0, "effective_to_s": to, "effective_duration_s": total});
@@ -143,7 +143,7 @@ fn a_web_that_is_open_as_it_begins_does_not_open() {
 
 /// Of a summary with what was made to break, and with what was not.
 #[test]
-fn ties_let_go_and_ropes_break() {
+fn released_ties_and_broken_ropes_have_separate_sentences() {
     let at = |class: &str, released: bool, time_s: f64| json!({"where": format!("{class} 1"), "class": class, "time_s": time_s, "tension_n": 50.0, "released": released});
     let said = |breaks: Value| words(&json!({"finished": true, "breaks": breaks}));
     assert_eq!(said(json!([at("tie", true, 0.2)])), ["One tie lets go: tie 1 at 0.200 s, under 50.0 N."]);
@@ -159,7 +159,7 @@ fn ties_let_go_and_ropes_break() {
 }
 
 #[test]
-fn what_went_wrong_is_said() {
+fn faults_of_a_failed_run_are_reported() {
     let mut summary = full();
     summary["finished"] = json!(false);
     summary["opening"]["effective_from_s"] = json!(null);
@@ -176,14 +176,14 @@ fn what_went_wrong_is_said() {
 }
 
 #[test]
-fn a_web_whose_own_energy_does_not_close_is_not_trusted_either() {
+fn a_web_whose_own_energy_does_not_close_gives_a_warning() {
     let mut summary = full();
     summary["energy"]["tolerance_web"] = json!(0.001);
     assert!(words(&summary).last().unwrap().contains("do not trust"));
 }
 
 #[test]
-fn the_middle_is_told_of_in_the_order_of_time() {
+fn phases_of_posture_are_in_the_order_of_time() {
     let told = |posture: Value| words(&json!({ "posture": posture }));
     assert_eq!(
         told(json!({"concave_from_s": 0.2, "concave_to_s": 0.4, "convex_from_s": 0.15})),
@@ -197,14 +197,14 @@ fn the_middle_is_told_of_in_the_order_of_time() {
 }
 
 #[test]
-fn several_spells_of_opening_are_told_apart_from_one() {
+fn of_several_open_spells_the_longest_and_the_total_are_given() {
     let mut summary = full();
     summary["opening"]["effective_duration_s"] = json!(0.12);
     assert_eq!(words(&summary)[1], "At least 80 % open from 0.112 s to 0.193 s, its longest spell; 0.120 s in all.");
 }
 
 #[test]
-fn what_the_air_takes_or_the_wind_gives_is_told() {
+fn the_work_of_drag_is_given_as_taken_or_given() {
     let mut summary = json!({"energy": {"initial_j": 4000.0, "channels": {"air": 100.0}},
                              "air": {"density_kg_m3": 1.2, "wind_m_s": [0.0, 0.0, 0.0], "wind_change_max_m_s": 0.0}});
     let still = "Drag takes 100 J, 2.5 % of what there was at the start, in a medium of 1.20 kg/m³.";
@@ -217,7 +217,7 @@ fn what_the_air_takes_or_the_wind_gives_is_told() {
 }
 
 #[test]
-fn a_launch_is_told_where_it_is_more_than_its_speed() {
+fn a_launch_has_a_sentence_if_it_has_spin_or_recoil() {
     let one = |speed: f64, time: f64| json!({"speed_m_s": speed, "time_s": time, "angle_rad": 0.3});
     let mut launch = json!({"spin_rad_s": 0.0, "tractors": {"1": one(50.0, 0.0), "2": one(50.0, 0.0)}, "recoil": null});
     let told = |launch: &Value| super::launch(&read(&json!({ "launch": launch })));
