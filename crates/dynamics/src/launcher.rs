@@ -43,16 +43,16 @@ pub struct Tube {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Push {
     /// Over the way that the node has gone, m.
-    OverStroke(Curve),
+    OverStroke(ForceCurve),
     /// Over the time since the launcher began to act, s.
-    OverTime(Curve),
+    OverTime(ForceCurve),
 }
 
-/// A curve through given points, straight from one to the next; before the first and after the last it is constant.
+/// A force, N, over travel, m, or time, s: linear between the given points, constant before the first and after the last.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve(pub Vec<(f64, f64)>);
+pub struct ForceCurve(pub Vec<(f64, f64)>);
 
-impl Curve {
+impl ForceCurve {
     /// Its value at `x`.
     pub fn at(&self, x: f64) -> f64 {
         let points = &self.0;
@@ -97,7 +97,7 @@ impl Push {
         Some(ways.windows(2).map(|w| 0.5 * (curve.at(w[0]) + curve.at(w[1])) * (w[1] - w[0])).sum())
     }
 
-    fn curve(&self) -> &Curve {
+    fn curve(&self) -> &ForceCurve {
         let (Push::OverStroke(curve) | Push::OverTime(curve)) = self;
         curve
     }
@@ -123,11 +123,11 @@ mod tests {
 
     #[test]
     fn a_curve_is_straight_between_its_points_and_constant_beyond() {
-        let curve = Curve(vec![(1.0, 4.0), (2.0, 6.0), (4.0, 0.0)]);
+        let curve = ForceCurve(vec![(1.0, 4.0), (2.0, 6.0), (4.0, 0.0)]);
         let found = [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0].map(|x| curve.at(x));
         assert_eq!(found, [4.0, 4.0, 5.0, 6.0, 3.0, 0.0, 0.0]);
         assert_eq!(curve.steepest(), 3.0);
-        assert_eq!(Curve(vec![(0.0, 5.0)]).at(7.0), 5.0);
+        assert_eq!(ForceCurve(vec![(0.0, 5.0)]).at(7.0), 5.0);
         // 4, then from 4 to 6, then from 6 to 3
         assert_eq!(Push::OverStroke(curve).work(3.0), Some(4.0 + 5.0 + 4.5));
     }

@@ -11,7 +11,7 @@ pub use crate::schedule::Schedule;
 use crate::snapshot::Snapshot;
 use crate::state::State;
 use crate::system::System;
-use crate::time::step::{Failure, StepSums, Stepper};
+use crate::time::step::{BreakingSegment, StepSums, Stepper};
 
 /// Closure from which a run has diverged. Energy that the step creates counts in the largest energy too, so that a closure
 /// stays below 1 however far a run diverges: here, a hundred times what there was.
@@ -30,7 +30,7 @@ pub enum StepError {
         /// Which quantity.
         term: &'static str,
         /// Where.
-        place: Place,
+        place: PlaceInNet,
     },
     /// Nearly all energy of the net is an error of the time integration: the step does not resolve the motion.
     #[error("step {step} at {time:.6} s: the step is unstable, the net has gained {residual:.3e} J from nowhere")]
@@ -55,18 +55,18 @@ pub enum StepError {
 
 /// A place in the system, for messages; the scenario knows its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum PlaceInNet {
     /// A node.
     Node(usize),
     /// A segment.
     Segment(usize),
 }
 
-impl std::fmt::Display for Place {
+impl std::fmt::Display for PlaceInNet {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         match self {
-            Place::Node(i) => write!(f, "node {i}"),
-            Place::Segment(i) => write!(f, "segment {i}"),
+            PlaceInNet::Node(i) => write!(f, "node {i}"),
+            PlaceInNet::Segment(i) => write!(f, "segment {i}"),
         }
     }
 }
@@ -104,7 +104,7 @@ pub fn simulate(
 ) -> Outcome {
     let mut net = Stepper::new(system, state, schedule.dt, threads);
     net.watch(&observer.watches());
-    let record = Record::new(system);
+    let record = FrameBuffers::new(system);
     let (losses, breaks) = (Losses::default(), Vec::new());
     let mut run = Run { net, schedule, limits: observer.limits(), step: 0, wanted: false, losses, breaks, record };
     run.net.team().lead(|| match run.show(observer) {
@@ -131,7 +131,8 @@ pub fn resume(
     net.watch(&observer.watches());
     // the forces at the record; what ropes lost on the way there is in the losses, and what broke among the breaks
     net.forces();
-    let record = Record { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..Record::new(system) };
+    let record =
+        FrameBuffers { balance: Some(*balance), ledger: *ledger, exceeded: *exceeded, ..FrameBuffers::new(system) };
     let (step, losses, breaks) = (motion.step, *losses, breaks.clone());
     let mut run = Run { net, schedule, limits: observer.limits(), step, wanted: false, losses, breaks, record };
     if step == schedule.count {
@@ -151,7 +152,7 @@ struct Run<'a> {
     wanted: bool,
     losses: Losses,
     breaks: Vec<Break>,
-    record: Record,
+    record: FrameBuffers,
 }
 
 impl Run<'_> {
@@ -220,7 +221,7 @@ impl Run<'_> {
             let (step, time) = (self.step, self.time());
             let mut failing: Vec<_> = self.net.failing().collect();
             failing.sort_by_key(|failure| failure.segment);
-            for Failure { segment, tension, energy } in failing {
+            for BreakingSegment { segment, tension, energy } in failing {
                 self.losses.add_rupture(energy);
                 self.breaks.push(Break { segment, step, time, tension });
             }
@@ -244,7 +245,7 @@ impl Run<'_> {
     /// Where the run stands. Taken apart field by field, so that what is new cannot be forgotten here.
     fn snapshot(&self) -> Snapshot {
         let Run { net, schedule: _, limits: _, step: _, wanted: _, losses, breaks, record } = self;
-        let Record { state: _, tension: _, ledger, balance: _, exceeded } = record;
+        let FrameBuffers { state: _, tension: _, ledger, balance: _, exceeded } = record;
         let (motion, balance, breaks) = (net.motion(), record.balance(), breaks.clone());
         Snapshot { motion, losses: *losses, balance, ledger: *ledger, exceeded: *exceeded, breaks }
     }
@@ -273,7 +274,7 @@ struct Due {
 }
 
 /// The net at a step that is shown, in buffers that are used again.
-struct Record {
+struct FrameBuffers {
     state: State,
     tension: Vec<f64>,
     ledger: Ledger,
@@ -281,9 +282,9 @@ struct Record {
     exceeded: Option<Excess>,
 }
 
-impl Record {
-    fn new(system: &System) -> Record {
-        Record {
+impl FrameBuffers {
+    fn new(system: &System) -> FrameBuffers {
+        FrameBuffers {
             state: State::default(),
             tension: vec![0.0; system.segments().len()],
             ledger: Ledger::default(),
@@ -341,7 +342,7 @@ impl Record {
 fn not_finite(net: &Stepper, time: f64, step: u64) -> StepError {
     let system = net.system();
     let node = (0..system.mass().len()).find_map(|node| {
-        let place = Place::Node(node);
+        let place = PlaceInNet::Node(node);
         if !net.half_step_velocity(node).is_finite() {
             Some(("velocity", place))
         } else {
@@ -349,7 +350,7 @@ fn not_finite(net: &Stepper, time: f64, step: u64) -> StepError {
         }
     });
     let segment = || (0..system.segments().len()).find(|&s| !net.tension(s).is_finite());
-    match node.or_else(|| segment().map(|s| ("tension", Place::Segment(s)))) {
+    match node.or_else(|| segment().map(|s| ("tension", PlaceInNet::Segment(s)))) {
         Some((term, place)) => StepError::NotFinite { step, time, term, place },
         None => StepError::Diverged { step, time, residual: f64::INFINITY },
     }

@@ -279,7 +279,7 @@ fn arm_squared(body: &Body) -> f64 {
 /// touch it bears, but for what pulls along it.
 pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
     let nodes = system.mass().len();
-    let mut parts = Parts((0..nodes).collect());
+    let mut parts = ConnectedParts((0..nodes).collect());
     for s in system.segments() {
         parts.join(s.ends[0], s.ends[1]);
     }
@@ -307,9 +307,9 @@ pub fn unsupported(system: &System, state: &State) -> Option<Unsupported> {
 }
 
 /// Connected parts of a net, each represented by one of its nodes (union-find).
-struct Parts(Vec<usize>);
+struct ConnectedParts(Vec<usize>);
 
-impl Parts {
+impl ConnectedParts {
     /// The node that stands for the part to which `node` belongs.
     fn root(&mut self, mut node: usize) -> usize {
         while self.0[node] != node {

@@ -1,7 +1,7 @@
 //! Whether a run failed, why, and what mends it.
 
 use netcast_dynamics::limits::{Excess, Term};
-use netcast_dynamics::simulate::{Place, StepError};
+use netcast_dynamics::simulate::{PlaceInNet, StepError};
 use netcast_model::Model;
 use netcast_results::SecondRun;
 use netcast_scenario::OnEnergyError;
@@ -159,8 +159,8 @@ fn in_words(model: &Model, error: &StepError) -> String {
     match error {
         StepError::NotFinite { step, time, term, place } => {
             let place = match *place {
-                Place::Node(node) => model.node_label(node),
-                Place::Segment(segment) => model.segment_label(segment),
+                PlaceInNet::Node(node) => model.node_label(node),
+                PlaceInNet::Segment(segment) => model.segment_label(segment),
             };
             format!("step {step} at {time} s: the {term} of {place} is not a finite number; {mend}")
         }

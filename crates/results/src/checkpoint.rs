@@ -19,7 +19,7 @@ use netcast_dynamics::snapshot::Snapshot;
 use serde::{Deserialize, Serialize};
 
 use crate::measures::Measures;
-use crate::stream::Written;
+use crate::stream::Extents;
 use crate::{ResultError, sealed, whole};
 
 /// The first bytes of a checkpoint; the last one is the version of the format of the first block.
@@ -63,7 +63,7 @@ pub struct Checkpoint<'a> {
     /// State of the measures.
     pub measures: Cow<'a, Measures>,
     /// Lengths of the files.
-    pub written: Written,
+    pub written: Extents,
     /// Set where the run is the second one of its case.
     pub second_run: Option<SecondRun>,
 }

@@ -14,25 +14,25 @@ use netcast_dynamics::system::System;
 
 use crate::checkpoint::{Checkpoint, CheckpointEvery, SecondRun};
 use crate::landmarks::Landmarks;
-use crate::measures::{Measured, Measures, WebState};
+use crate::measures::{MeasuredNet, Measures, WebState};
 use crate::row::{ClassTensions, RowLayout, RunRecord};
 use crate::series::Series;
 use crate::stream::Stream;
 use crate::summary::Summary;
 use crate::{FieldsTopology, ResultError, folder};
 
-/// What is told of a run's progress at every record: (time reached, s).
-pub type Progress<'p> = dyn FnMut(f64) + Send + 'p;
+/// Called at every record with the time that the run has reached, s.
+pub type ProgressCallback<'p> = dyn FnMut(f64) + Send + 'p;
 
 /// Records a run.
 pub struct Recorder<'r> {
-    of: Measured,
+    of: MeasuredNet,
     measures: Measures,
     fields_every: u64,
     layout: RowLayout,
     topology: FieldsTopology,
     keeping: Keeping,
-    progress: &'r mut Progress<'r>,
+    progress: &'r mut ProgressCallback<'r>,
     interrupted: &'r (dyn Fn() -> bool + Sync),
     limits: Limits,
     wants_moment: bool,
@@ -88,13 +88,13 @@ impl<'r> Recorder<'r> {
         state: &State,
         landmarks: Landmarks,
         fields_every: u64,
-        progress: &'r mut Progress<'r>,
+        progress: &'r mut ProgressCallback<'r>,
         interrupted: &'r (dyn Fn() -> bool + Sync),
     ) -> Result<Recorder<'r>, ResultError> {
         ResultError::length("groups of segments", system.group_count(), landmarks.groups.len())?;
         let topology = topology(system, &landmarks);
         let of_web = system.mass().iter().zip(system.tractor());
-        let of = Measured {
+        let of = MeasuredNet {
             web_mass: of_web.map(|(&mass, &tractor)| if tractor { 0.0 } else { mass }).collect(),
             groups: system.segments().iter().map(|segment| segment.group).collect(),
             membranes: system.membranes().to_vec(),

@@ -15,7 +15,7 @@ const FLUSH_EVERY: Duration = Duration::from_secs(1);
 
 /// Extents of the two files of a run at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Written {
+pub struct Extents {
     history: Extent,
     fields: Extent,
 }
@@ -47,7 +47,7 @@ impl Stream {
     ///
     /// # Errors
     /// [`ResultError::Changed`] names the file whose bytes up to its extent have changed.
-    pub fn reopen(folder: &Path, written: Written) -> Result<Self, ResultError> {
+    pub fn reopen(folder: &Path, written: Extents) -> Result<Self, ResultError> {
         let path = folder.join(folder::HISTORY);
         let changed = |path: PathBuf| move || ResultError::Changed { path };
         let history = Tally::reopen(&path, written.history).map_err(ResultError::read(&path))?;
@@ -98,10 +98,10 @@ impl Stream {
     ///
     /// # Errors
     /// [`ResultError::Write`].
-    pub fn sync(&mut self) -> Result<Written, ResultError> {
+    pub fn sync(&mut self) -> Result<Extents, ResultError> {
         self.flush()?;
         self.history.get_ref().sync().map_err(ResultError::write(&self.folder.join(folder::HISTORY)))?;
-        Ok(Written { history: self.history.get_ref().extent(), fields: self.fields.sync()? })
+        Ok(Extents { history: self.history.get_ref().extent(), fields: self.fields.sync()? })
     }
 
     /// Closes the history and makes `fields.vtkhdf` of the fields and of the frames of `moments`. `fields.part` stays

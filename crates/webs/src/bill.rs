@@ -22,7 +22,7 @@ pub struct RopeKind {
 
 /// A canopy or a payload as an item on the bill.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Solid {
+pub struct BillItem {
     /// Mass of one item, kg.
     pub mass: f64,
     /// Volume of one item, m^3; 0 where it is not known.
@@ -37,9 +37,9 @@ pub struct Parts {
     /// The kind of each of the web's ropes, as an index into `ropes`, (ropes,).
     pub kind_of_rope: Vec<usize>,
     /// A canopy without its payload.
-    pub canopy: Solid,
+    pub canopy: BillItem,
     /// A payload; some canopies carry one.
-    pub payload: Solid,
+    pub payload: BillItem,
     /// Mass of each tractor, kg, (tractors,).
     pub tractor_masses: Vec<f64>,
 }
@@ -168,8 +168,8 @@ mod tests {
         Parts {
             ropes: vec![rope()],
             kind_of_rope: vec![0; web.ropes.len()],
-            canopy: Solid::default(),
-            payload: Solid::default(),
+            canopy: BillItem::default(),
+            payload: BillItem::default(),
             tractor_masses: Vec::new(),
         }
     }

@@ -58,7 +58,7 @@ mod traction;
 mod traditional;
 mod web;
 
-pub use bill::{Bill, PACKED_FILL, Parts, RopeKind, RopeLine, Solid, bill};
+pub use bill::{Bill, BillItem, PACKED_FILL, Parts, RopeKind, RopeLine, bill};
 pub use check::Pieces;
 pub use class::Class;
 pub use cut::{CutError, CutRope, CutSegment, CutWeb, Cutting, MOST_SEGMENTS, cut};

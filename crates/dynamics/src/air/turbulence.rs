@@ -14,7 +14,7 @@
 
 use glam::DVec3;
 
-use super::wind::Series;
+use super::wind::LinearTable;
 
 /// Number of waves in each component.
 pub const WAVES: usize = 160;
@@ -67,7 +67,7 @@ impl Turbulence {
 
     /// Velocity that turbulence adds to the mean wind, m/s, during `duration` seconds. `axes` are the unit vectors of its
     /// components; `random` returns numbers between 0 and 1 and is called three times for each wave.
-    pub fn series(&self, axes: [DVec3; 3], duration: f64, mut random: impl FnMut() -> f64) -> Series<DVec3> {
+    pub fn series(&self, axes: [DVec3; 3], duration: f64, mut random: impl FnMut() -> f64) -> LinearTable<DVec3> {
         let spacing = 1.0 / (PER_PERIOD * HIGHEST);
         let count = (duration / spacing).ceil() as usize + 1;
         let mut values = vec![DVec3::ZERO; count + 1];
@@ -81,7 +81,7 @@ impl Turbulence {
                 }
             }
         }
-        Series { first: 0.0, spacing, values }
+        LinearTable { first: 0.0, spacing, values }
     }
 
     /// Frequency, 1/s, and amplitude, m/s, of a wave.

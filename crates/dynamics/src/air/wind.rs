@@ -12,14 +12,14 @@ pub struct Wind {
     /// Direction of the mean, a unit vector.
     pub direction: DVec3,
     /// Mean speed, m/s, by height above the muzzle.
-    pub mean: Series<f64>,
+    pub mean: LinearTable<f64>,
     /// Velocity added to the mean, m/s, by time.
-    pub fluctuation: Series<DVec3>,
+    pub fluctuation: LinearTable<DVec3>,
 }
 
 /// A table of equally spaced values, interpolated linearly; constant before the first and after the last.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Series<T> {
+pub struct LinearTable<T> {
     /// Height, m, or time, s, of the first value.
     pub first: f64,
     /// Spacing between values, m or s.
@@ -28,10 +28,10 @@ pub struct Series<T> {
     pub values: Vec<T>,
 }
 
-impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>> Series<T> {
+impl<T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>> LinearTable<T> {
     /// A table of one value.
-    pub fn constant(value: T) -> Series<T> {
-        Series { first: 0.0, spacing: 1.0, values: vec![value] }
+    pub fn constant(value: T) -> LinearTable<T> {
+        LinearTable { first: 0.0, spacing: 1.0, values: vec![value] }
     }
 
     /// The value at a height, m, or a time, s.
@@ -59,7 +59,7 @@ impl Wind {
 
     /// A wind of constant `speed`, m/s, along a unit vector.
     pub fn uniform(direction: DVec3, speed: f64) -> Wind {
-        Wind { direction, mean: Series::constant(speed), fluctuation: Series::constant(DVec3::ZERO) }
+        Wind { direction, mean: LinearTable::constant(speed), fluctuation: LinearTable::constant(DVec3::ZERO) }
     }
 
     /// Velocity, m/s, at a height above the muzzle, m, and a time, s.
@@ -71,13 +71,13 @@ impl Wind {
 /// The mean speed, m/s, as a power of the height z above the ground: u (z/z_ref)^p (Hellmann 1919). `speed` u, m/s, at the
 /// height `reference` z_ref, m. `muzzle` is the height of the muzzle above the ground, m. The table ends at `top`, m above
 /// the muzzle.
-pub fn power_law(speed: f64, reference: f64, power: f64, muzzle: f64, top: f64) -> Series<f64> {
+pub fn power_law(speed: f64, reference: f64, power: f64, muzzle: f64, top: f64) -> LinearTable<f64> {
     profile(muzzle, top, |height| speed * libm::pow(height / reference, power))
 }
 
 /// The mean speed, m/s, as the logarithm of the height z above the ground: u ln(z/z0) / ln(z_ref/z0), and 0 below the
 /// roughness length z0, m (Prandtl's law of the wall; neutral stability). The other parameters are those of [`power_law`].
-pub fn logarithmic(speed: f64, reference: f64, roughness: f64, muzzle: f64, top: f64) -> Series<f64> {
+pub fn logarithmic(speed: f64, reference: f64, roughness: f64, muzzle: f64, top: f64) -> LinearTable<f64> {
     let scale = speed / libm::log(reference / roughness);
     profile(muzzle, top, |height| if height > roughness { scale * libm::log(height / roughness) } else { 0.0 })
 }
@@ -85,20 +85,20 @@ pub fn logarithmic(speed: f64, reference: f64, roughness: f64, muzzle: f64, top:
 /// Spacing of the entries of a profile, m.
 const PROFILE_SPACING: f64 = 0.1;
 
-fn profile(muzzle: f64, top: f64, speed: impl Fn(f64) -> f64) -> Series<f64> {
+fn profile(muzzle: f64, top: f64, speed: impl Fn(f64) -> f64) -> LinearTable<f64> {
     let count = ((top + muzzle) / PROFILE_SPACING).ceil().max(1.0) as usize;
     let values = (0..=count).map(|i| speed(i as f64 * PROFILE_SPACING)).collect();
-    Series { first: -muzzle, spacing: PROFILE_SPACING, values }
+    LinearTable { first: -muzzle, spacing: PROFILE_SPACING, values }
 }
 
 /// The speed of a gust, m/s: from `start`, s, it rises to `speed`, m/s, and falls again as (1 - cos)/2 within `duration`, s.
 /// This is the plain form of the discrete gust of IEC 61400-1 and CS-25.341. One entry every `spacing` seconds or less.
-pub fn gust(speed: f64, start: f64, duration: f64, spacing: f64) -> Series<f64> {
+pub fn gust(speed: f64, start: f64, duration: f64, spacing: f64) -> LinearTable<f64> {
     let count = (duration / spacing).ceil().max(1.0) as usize;
     let spacing = duration / count as f64;
     let phase = |i: usize| 2.0 * std::f64::consts::PI * i as f64 / count as f64;
     let values = (0..=count).map(|i| 0.5 * speed * (1.0 - libm::cos(phase(i)))).collect();
-    Series { first: start, spacing, values }
+    LinearTable { first: start, spacing, values }
 }
 
 #[cfg(test)]
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn a_series_is_straight_between_its_values_and_constant_beyond() {
-        let series = Series { first: 1.0, spacing: 0.5, values: vec![2.0, 4.0, 3.0] };
+        let series = LinearTable { first: 1.0, spacing: 0.5, values: vec![2.0, 4.0, 3.0] };
         let at = [0.0, 1.0, 1.25, 1.5, 1.75, 2.0, 9.0].map(|place| series.at(place));
         assert_eq!(at, [2.0, 2.0, 3.0, 4.0, 3.5, 3.0, 3.0]);
     }

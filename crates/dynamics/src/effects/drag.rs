@@ -7,7 +7,7 @@ use super::bound::Bound;
 use super::contract::{Effect, Forces, Net, Now, Resting, seen};
 use super::elements::Elements;
 use super::traced::TracedWork;
-use crate::air::wind::Series;
+use crate::air::wind::LinearTable;
 use crate::air::{Air, Attitude};
 use crate::channel::Channel;
 use crate::forces::element::ElementForces;
@@ -88,7 +88,7 @@ impl Effect for Drag {
     fn at_rest(parts: &SystemParts, resting: &Resting, rest: &mut SystemParts) {
         let Some(mut air) = parts.environment.air.clone() else { return };
         air.added_mass = 0.0;
-        air.wind.fluctuation = Series::constant(air.wind.fluctuation.at(0.0));
+        air.wind.fluctuation = LinearTable::constant(air.wind.fluctuation.at(0.0));
         for body in &mut air.bodies {
             if let Attitude::Body(index) = body.attitude {
                 let kept = resting.turning_body(index);

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use super::bilinear::Bilinear;
 pub use super::memory::Memory;
-use super::rope_tension::{self, Along, Pull};
+use super::rope_tension::{self, AxialMotion, Pull};
 use super::segment::Segment;
 use super::strut;
 use super::tabulated::Tabulated;
@@ -140,8 +140,8 @@ impl Law {
         dt: f64,
         decay: &Decay,
     ) -> Pull {
-        let along = Along::new(span, rate, rest_length, dt);
-        let Along { stretch, swept, .. } = along;
+        let along = AxialMotion::new(span, rate, rest_length, dt);
+        let AxialMotion { stretch, swept, .. } = along;
         let taut = stretch > 0.0;
         match self {
             Law::Linear => rope_tension::pull(span, rate, rest_length, stiffness, damping, dt),

@@ -50,7 +50,7 @@ const LEAST_LENGTH_SQUARED: f64 = 1e-200;
 
 /// How a segment lies and moves along itself: (10) to (12).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Along {
+pub(crate) struct AxialMotion {
     span: [f64; 3],
     per_length: f64,
     /// Length, m.
@@ -63,17 +63,17 @@ pub(crate) struct Along {
     pub swept: f64,
 }
 
-impl Along {
+impl AxialMotion {
     /// `span` = x_b - x_a, m; `rate` = v_b - v_a, m/s; `dt` the step, s.
     #[inline(always)]
-    pub fn new(span: [f64; 3], rate: [f64; 3], rest_length: f64, dt: f64) -> Along {
+    pub fn new(span: [f64; 3], rate: [f64; 3], rest_length: f64, dt: f64) -> AxialMotion {
         let length_squared = span[0] * span[0] + span[1] * span[1] + span[2] * span[2];
         let bounded = if length_squared > LEAST_LENGTH_SQUARED { length_squared } else { LEAST_LENGTH_SQUARED };
         let length = bounded.sqrt();
         let per_length = 1.0 / length;
         let stretch = length - rest_length;
         let stretch_rate = (span[0] * rate[0] + span[1] * rate[1] + span[2] * rate[2]) * per_length;
-        Along { span, per_length, length, stretch, stretch_rate, swept: stretch_rate.abs() * dt }
+        AxialMotion { span, per_length, length, stretch, stretch_rate, swept: stretch_rate.abs() * dt }
     }
 
     /// The pull of a rope whose law gives `elastic`, N, with a damper `damping`, N s/m, beside it: only where it is taut,
@@ -108,7 +108,7 @@ pub(crate) fn ramp(x: f64, swept: f64) -> f64 {
 /// Written without branches on purpose: the fused step runs it on several segments at a time.
 #[inline(always)]
 pub fn pull(span: [f64; 3], rate: [f64; 3], rest_length: f64, stiffness: f64, damping: f64, dt: f64) -> Pull {
-    let along = Along::new(span, rate, rest_length, dt);
+    let along = AxialMotion::new(span, rate, rest_length, dt);
     along.pulled(along.stretch > 0.0, stiffness * ramp(along.stretch, along.swept), damping)
 }
 

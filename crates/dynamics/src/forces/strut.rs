@@ -8,9 +8,9 @@
 //! below Euler's load, pi^2 EI/L^2, L its whole length between knots; cut into several segments it folds. (Euler 1744;
 //! Timoshenko, Gere, Theory of Elastic Stability, 1961, section 2.1.) It is for the stays of a frame, and for rods.
 
-use super::rope_tension::{Along, Pull};
+use super::rope_tension::{AxialMotion, Pull};
 
-pub(super) fn pull(along: &Along, stiffness: f64, damping: f64) -> Pull {
+pub(super) fn pull(along: &AxialMotion, stiffness: f64, damping: f64) -> Pull {
     // one that is broken has no stiffness, and no stretch to speak of
     let elastic = if stiffness > 0.0 { stiffness * along.stretch } else { 0.0 };
     along.with(elastic + damping * along.stretch_rate, elastic)

@@ -33,9 +33,9 @@ use super::rope_tension::ramp;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tabulated {
     /// F: tension, N, over strain.
-    loading: Curve,
+    loading: PiecewiseLinear,
     /// h: unloading over loading tension, as a function of e/m; `None` for an elastic rope.
-    left: Option<Curve>,
+    left: Option<PiecewiseLinear>,
 }
 
 /// Why a table cannot be the law of a rope.
@@ -105,7 +105,7 @@ impl Tabulated {
             return Err(TableError::Slack);
         }
         let left = unloading.map(|back| left(strain, tension, back)).transpose()?;
-        Ok(Tabulated { loading: Curve::new(strain.to_vec(), tension.to_vec()), left })
+        Ok(Tabulated { loading: PiecewiseLinear::new(strain.to_vec(), tension.to_vec()), left })
     }
 
     /// The elastic law with the same loading curve.
@@ -120,7 +120,7 @@ impl Tabulated {
 
     /// An upper bound of the slope of tension over strain, loading or unloading, N.
     pub fn largest_slope(&self) -> f64 {
-        let Curve { x, y, slope } = &self.loading;
+        let PiecewiseLinear { x, y, slope } = &self.loading;
         let most = |slopes: &[f64]| slopes.iter().copied().fold(0.0, f64::max);
         // (F h)' = F' h + F h'/m, with h at most 1 and F/m at most F/e, whose maximum is at a row or far beyond the last
         let secant = x.iter().zip(y).skip(1).map(|(x, y)| y / x).chain(slope.last().copied()).fold(0.0, f64::max);
@@ -129,7 +129,7 @@ impl Tabulated {
 
     /// The strain under loading at `tension`, N.
     pub fn strain_under(&self, tension: f64) -> f64 {
-        let Curve { x, y, slope } = &self.loading;
+        let PiecewiseLinear { x, y, slope } = &self.loading;
         let row = y[1..slope.len()].partition_point(|&below| below < tension);
         if tension > 0.0 { x[row] + (tension - y[row]) / slope[row] } else { 0.0 }
     }
@@ -184,7 +184,7 @@ impl Tabulated {
 }
 
 /// The curve h of a table.
-fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<Curve, TableError> {
+fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<PiecewiseLinear, TableError> {
     let last = strain.len() - 1;
     if back[last] != tension[last] {
         return Err(TableError::Turn { expected: tension[last], found: back[last] });
@@ -195,7 +195,7 @@ fn left(strain: &[f64], tension: &[f64], back: &[f64]) -> Result<Curve, TableErr
     let falls = |i: &usize| share[*i].is_nan() || share[*i] < if *i > 0 { share[*i - 1] } else { 0.0 };
     match (0..=last).find(falls) {
         Some(row) => Err(TableError::Share { row: row + 1 }),
-        None => Ok(Curve::new(strain.iter().map(|at| at / strain[last]).collect(), share)),
+        None => Ok(PiecewiseLinear::new(strain.iter().map(|at| at / strain[last]).collect(), share)),
     }
 }
 
@@ -211,17 +211,17 @@ fn integral(ends: impl Iterator<Item = f64>, end: f64, value: impl Fn(f64) -> f6
 
 /// A piecewise linear function from x = 0 on; the last line is extended.
 #[derive(Debug, Clone, PartialEq)]
-struct Curve {
+struct PiecewiseLinear {
     x: Vec<f64>,
     y: Vec<f64>,
     /// Slope of the line from each point to the next.
     slope: Vec<f64>,
 }
 
-impl Curve {
-    fn new(x: Vec<f64>, y: Vec<f64>) -> Curve {
+impl PiecewiseLinear {
+    fn new(x: Vec<f64>, y: Vec<f64>) -> PiecewiseLinear {
         let slope = (1..x.len()).map(|i| (y[i] - y[i - 1]) / (x[i] - x[i - 1])).collect();
-        Curve { x, y, slope }
+        PiecewiseLinear { x, y, slope }
     }
 
     /// The index of the line at `x` >= 0.

@@ -28,7 +28,7 @@
 //! which the rope becomes taut, its spring k + k1 gets the correction of [`rope_tension`](super::rope_tension).
 
 use super::memory::Memory;
-use super::rope_tension::{Along, Pull, ramp};
+use super::rope_tension::{AxialMotion, Pull, ramp};
 
 /// The parameters of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +75,14 @@ impl Viscoelastic {
         [stretch.max(0.0); 2]
     }
 
-    pub(super) fn pull(&self, along: &Along, stiffness: f64, damping: f64, memory: &mut Memory, decay: &Decay) -> Pull {
+    pub(super) fn pull(
+        &self,
+        along: &AxialMotion,
+        stiffness: f64,
+        damping: f64,
+        memory: &mut Memory,
+        decay: &Decay,
+    ) -> Pull {
         let (share, branch) = (self.slack_share(), self.ratio * stiffness);
         let [v, e] = *memory;
         let drawn = v + decay.taut * (e - v) + decay.change * (along.stretch - e);
@@ -110,7 +117,7 @@ mod tests {
     fn led(stretches: &[f64], dt: f64) -> (Vec<f64>, f64, Memory) {
         let (mut memory, mut lost, decay) = (LAW.at_rest(0.0), 0.0, LAW.decay(dt));
         let tension = |&stretch: &f64| {
-            let along = Along::new([1.0 + stretch, 0.0, 0.0], [0.0; 3], 1.0, dt);
+            let along = AxialMotion::new([1.0 + stretch, 0.0, 0.0], [0.0; 3], 1.0, dt);
             let pull = LAW.pull(&along, K, 0.0, &mut memory, &decay);
             lost += pull.lost;
             pull.tension
@@ -169,7 +176,7 @@ mod tests {
     fn without_time_nothing_changes() {
         let (_, _, memory) = led(&[0.01, 0.05, 0.049, 0.02], 0.07);
         for stretch in [0.02, 0.001, -0.3] {
-            let along = Along::new([1.0 + stretch, 0.0, 0.0], [0.3, 0.0, 0.0], 1.0, 1e-3);
+            let along = AxialMotion::new([1.0 + stretch, 0.0, 0.0], [0.3, 0.0, 0.0], 1.0, 1e-3);
             let mut again = memory;
             let first = LAW.pull(&along, K, 0.0, &mut again, &Decay::NONE);
             let kept = again;

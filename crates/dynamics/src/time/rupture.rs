@@ -26,7 +26,7 @@ pub(super) struct Failing {
 
 /// A segment that breaks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Failure {
+pub struct BreakingSegment {
     /// Which segment.
     pub segment: usize,
     /// Its tension, N, which acts for the last time.
@@ -65,10 +65,10 @@ impl Strength {
 }
 
 /// The segments that break under the last tensions of these blocks.
-pub(super) fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = Failure> + use<'r> {
+pub(super) fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = BreakingSegment> + use<'r> {
     ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
         let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-        let failure = move |f: &Failing| Failure { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+        let failure = move |f: &Failing| BreakingSegment { segment: segment(f.slot), tension: f.tension, energy: f.energy };
         ropes.failing.iter().map(failure)
     })
 }

@@ -6,7 +6,7 @@ use super::blocks::{KnotState, Nodes, Ropes, blocks};
 use super::motion::Motion;
 use super::passes::AirNow;
 pub use super::passes::Vectors;
-pub use super::rupture::Failure;
+pub use super::rupture::BreakingSegment;
 use super::rupture::failing;
 use super::start::started;
 use crate::channel::{ByChannel, Channel};
@@ -142,7 +142,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// The segments that break under the last tensions.
-    pub fn failing(&self) -> impl Iterator<Item = Failure> {
+    pub fn failing(&self) -> impl Iterator<Item = BreakingSegment> {
         failing(&self.ropes, self.system)
     }
 

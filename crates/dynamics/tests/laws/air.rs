@@ -3,7 +3,7 @@
 use crate::nets::{self, Film, Material, Net};
 use glam::{DQuat, DVec3};
 use netcast_dynamics::air::atmosphere::Medium;
-use netcast_dynamics::air::wind::{Series, Wind};
+use netcast_dynamics::air::wind::{LinearTable, Wind};
 use netcast_dynamics::air::{Air, Attitude, BodyDrag};
 use netcast_dynamics::channel::Channel;
 use netcast_dynamics::forces::body_drag::Shape;
@@ -139,7 +139,7 @@ fn a_gust_does_the_work_that_it_gives() {
     let mut net = Net::rope(1.0, 5, soft);
     let mut air = still(vec![Some(RopeDrag { normal: None, tangential: 0.02, ..ROPE })]);
     let values = [0.0, 5.0, 20.0, -10.0, 0.0].map(|speed| DVec3::new(0.0, speed, 0.3 * speed));
-    air.wind.fluctuation = Series { first: 0.1, spacing: 0.1, values: values.into() };
+    air.wind.fluctuation = LinearTable { first: 0.1, spacing: 0.1, values: values.into() };
     net.parts.environment = Environment { air: Some(air), ..Environment::default() };
     let (outcome, _) = run(&net, 1.0, 1e-3);
     assert!(
@@ -160,7 +160,7 @@ fn a_ball_on_a_line_rests_in_a_wind_where_drag_and_weight_balance() {
     air.bodies = vec![BodyDrag { node: 4, attitude: Attitude::Fixed(DQuat::IDENTITY), shape: ball }];
     air.wind = Wind::uniform(DVec3::Y, 12.0);
     // a gust that comes later is of no account
-    air.wind.fluctuation = Series { first: 1.0, spacing: 1.0, values: vec![DVec3::ZERO, 50.0 * DVec3::X] };
+    air.wind.fluctuation = LinearTable { first: 1.0, spacing: 1.0, values: vec![DVec3::ZERO, 50.0 * DVec3::X] };
     net.parts.environment = falling(air);
     let accuracy = Accuracy { tolerance: 1e-9, max_iterations: 1_000_000 };
     let found = relax(&net.build(), &net.state, &accuracy, 1, &mut |_| true);

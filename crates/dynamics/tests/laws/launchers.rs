@@ -3,7 +3,7 @@
 use crate::nets::{Film, Material, Net};
 use glam::{DQuat, DVec3};
 use netcast_dynamics::channel::Channel;
-use netcast_dynamics::launcher::{Curve, Launcher, Means, Push, Tube};
+use netcast_dynamics::launcher::{ForceCurve, Launcher, Means, Push, Tube};
 use netcast_dynamics::simulate::{Outcome, Schedule, simulate};
 use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::Environment;
@@ -17,7 +17,7 @@ fn tube(node: usize, direction: DVec3, push: Push) -> Launcher {
 }
 
 fn constant(force: f64) -> Push {
-    Push::OverStroke(Curve(vec![(0.0, force)]))
+    Push::OverStroke(ForceCurve(vec![(0.0, force)]))
 }
 
 /// A mass alone in a tube.
@@ -78,7 +78,7 @@ fn upwards_the_weight_takes_its_share_and_the_tube_bears_what_lies_across() {
 #[test]
 fn a_spring_gives_what_it_has_stored() {
     let stiffness = 5e3;
-    let spring = Push::OverStroke(Curve(vec![(0.0, stiffness * STROKE), (STROKE, 0.0)]));
+    let spring = Push::OverStroke(ForceCurve(vec![(0.0, stiffness * STROKE), (STROKE, 0.0)]));
     let (outcome, _) = shot(tube(0, DVec3::Y, spring), DVec3::ZERO, 1e-5);
     let energy = 0.5 * stiffness * STROKE * STROKE;
     let (time, speed) = left(&outcome);
@@ -92,7 +92,7 @@ fn a_spring_gives_what_it_has_stored() {
 #[test]
 fn a_force_over_time_gives_its_impulse() {
     // a triangle of 4 ms and 1500 N, over before the tube is
-    let pulse = Push::OverTime(Curve(vec![(0.0, 0.0), (2e-3, 1500.0), (4e-3, 0.0)]));
+    let pulse = Push::OverTime(ForceCurve(vec![(0.0, 0.0), (2e-3, 1500.0), (4e-3, 0.0)]));
     let (outcome, _) = shot(Launcher { at: 5e-3, ..tube(0, DVec3::X, pulse) }, DVec3::ZERO, 1e-5);
     let (time, speed) = left(&outcome);
     assert!((MASS * speed / 3.0 - 1.0).abs() < 1e-5, "{} N s", MASS * speed);
@@ -132,7 +132,7 @@ fn a_rope_pulled_out_of_two_launchers_closes_its_energy() {
     let inertia = DVec3::new(0.003, 0.003, 0.001);
     let body = net.body(breech, DVec3::ZERO, 1.0, inertia, (axis, 50.0 * direction), &[rear]);
     net.parts.mass[0] += 0.4;
-    let push = Push::OverStroke(Curve(vec![(0.0, 900.0), (STROKE, 400.0)]));
+    let push = Push::OverStroke(ForceCurve(vec![(0.0, 900.0), (STROKE, 400.0)]));
     net.parts.launchers = vec![
         Launcher { node: body, at: 2e-3, by: Means::Tube(Tube { breech, direction, stroke: STROKE, push }) },
         Launcher { node: 0, at: 30e-3, by: Means::Velocity(DVec3::new(-5.0, 2.0, 10.0)) },

@@ -8,7 +8,7 @@ use netcast_dynamics::forces::hinge::Hinge;
 use netcast_dynamics::forces::load::Load;
 use netcast_dynamics::forces::membrane::{Fabric, Membrane};
 use netcast_dynamics::forces::tension_field::Elasticity;
-use netcast_dynamics::launcher::{Curve, Launcher, Means, Push, Tube};
+use netcast_dynamics::launcher::{ForceCurve, Launcher, Means, Push, Tube};
 use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::time::readable::Readable;
 use netcast_dynamics::time::step::{Engine, Stepper, Vectors};
@@ -77,7 +77,7 @@ fn attach(net: &mut nets::Net, driven: usize) {
 
 /// The body from a tube, and another node that is let go.
 fn launch(net: &mut nets::Net, body: usize, other: Option<usize>) {
-    let push = Push::OverStroke(Curve(vec![(0.0, 3e3), (0.01, 2e3)]));
+    let push = Push::OverStroke(ForceCurve(vec![(0.0, 3e3), (0.01, 2e3)]));
     let tube = Tube { breech: net.state.position[body], direction: DVec3::Y, stroke: 0.01, push };
     net.state.velocity[body] = DVec3::ZERO;
     net.parts.launchers = vec![Launcher { node: body, at: 1e-3, by: Means::Tube(tube) }];

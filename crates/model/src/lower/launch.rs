@@ -1,7 +1,7 @@
 //! The launch: velocities of a graph's nodes, and how each tractor is thrown.
 
 use glam::{DMat3, DVec3};
-use netcast_dynamics::launcher::{Curve, Push};
+use netcast_dynamics::launcher::{ForceCurve, Push};
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Launch, Scenario, Tube};
 use netcast_webs::CutWeb;
 
@@ -139,7 +139,7 @@ fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
             _ => return Err(document.diagnostic(&path, "a force is given at points, or in a file")),
         };
         if points.windows(2).all(|pair| pair[0].0 < pair[1].0) {
-            Ok(Curve(points))
+            Ok(ForceCurve(points))
         } else {
             Err(document.diagnostic(&format!("{path}.at"), "expected increasing values"))
         }
@@ -162,7 +162,7 @@ fn push(document: &Document, tube: &Tube) -> Result<Push, Diagnostic> {
 
 /// The force times `factor`.
 fn scaled(push: &Push, factor: f64) -> Push {
-    let scaled = |curve: &Curve| Curve(curve.0.iter().map(|&(at, force)| (at, factor * force)).collect());
+    let scaled = |curve: &ForceCurve| ForceCurve(curve.0.iter().map(|&(at, force)| (at, factor * force)).collect());
     match push {
         Push::OverStroke(curve) => Push::OverStroke(scaled(curve)),
         Push::OverTime(curve) => Push::OverTime(scaled(curve)),

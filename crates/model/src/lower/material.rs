@@ -6,7 +6,7 @@ use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
 use netcast_dynamics::system::Segment;
 use netcast_scenario::{Canopy, Damping, Diagnostics, Rope, RopeRow, Scenario};
-use netcast_webs::{Class, CutSegment, CutWeb, Parts, RopeKind, Solid, bill};
+use netcast_webs::{BillItem, Class, CutSegment, CutWeb, Parts, RopeKind, bill};
 
 use super::assignment::{self, rings};
 use super::draft::Draft;
@@ -147,11 +147,12 @@ pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
     let Draft { scenario, cut, kinds, bodies, .. } = draft;
     let known = assignment::ropes(scenario);
     let cloth = canopy_of(scenario, cut).map(|canopy| canopy.mass_and_volume());
-    let cloth = cloth.map_or(Solid::default(), |(mass, volume)| Solid { mass, volume });
+    let cloth = cloth.map_or(BillItem::default(), |(mass, volume)| BillItem { mass, volume });
     let tractors = bodies.iter().filter(|body| body.role == Role::Tractor);
     let tractor_masses = tractors.map(|body| body.solid.mass_kg).collect();
-    let payload =
-        scenario.payload_solid().map_or(Solid::default(), |p| Solid { mass: p.mass_kg, volume: p.shape.volume_m3() });
+    let payload = scenario
+        .payload_solid()
+        .map_or(BillItem::default(), |p| BillItem { mass: p.mass_kg, volume: p.shape.volume_m3() });
     let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy: cloth, payload, tractor_masses };
     for (name, rope) in kinds.iter().map(|&kind| known[kind]) {
         let kind = RopeKind {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use netcast_dynamics::air::turbulence::{self, Spectrum};
-use netcast_dynamics::air::wind::{Series, Wind, gust, logarithmic, power_law};
+use netcast_dynamics::air::wind::{LinearTable, Wind, gust, logarithmic, power_law};
 use netcast_scenario::{
     Diagnostic, Diagnostics, Document, Gust, LogarithmicProfile, PowerProfile, Scenario, Turbulence,
     Wind as WrittenWind, WindRow,
@@ -54,11 +54,11 @@ pub fn wind(document: &Document, scenario: &Scenario, duration: f64, top: f64) -
             }
             logarithmic(speed, reference, roughness, muzzle, top)
         }
-        (None, None) => Series::constant(speed),
+        (None, None) => LinearTable::constant(speed),
     };
     let eddies = asked.turbulence.as_ref().map(|eddies| turbulent(document, eddies, direction, speed, duration));
     let fluctuation = match (eddies.transpose()?, &asked.gust) {
-        (None, None) => Series::constant(DVec3::ZERO),
+        (None, None) => LinearTable::constant(DVec3::ZERO),
         (Some(eddies), None) => eddies,
         (None, Some(gust)) => gust_of(asked, gust),
         (Some(eddies), Some(gust)) => sum(&eddies, &gust_of(asked, gust), duration),
@@ -73,12 +73,12 @@ fn towards(azimuth: f64) -> DVec3 {
 }
 
 /// The velocity of a gust by time, world frame, m/s.
-fn gust_of(wind: &WrittenWind, asked: &Gust) -> Series<DVec3> {
+fn gust_of(wind: &WrittenWind, asked: &Gust) -> LinearTable<DVec3> {
     let direction = towards(asked.azimuth.or(wind.azimuth).map_or(0.0, |azimuth| azimuth.si()));
     let duration = asked.duration.si();
     let spacing = (duration / GUST_ENTRIES).max(f64::MIN_POSITIVE);
-    let Series { first, spacing, values } = gust(asked.speed.si(), asked.at.si(), duration, spacing);
-    Series { first, spacing, values: values.into_iter().map(|speed| direction * speed).collect() }
+    let LinearTable { first, spacing, values } = gust(asked.speed.si(), asked.at.si(), duration, spacing);
+    LinearTable { first, spacing, values: values.into_iter().map(|speed| direction * speed).collect() }
 }
 
 /// Velocity of isotropic turbulence by time, world frame, m/s. The mean wind, `speed` m/s along `direction`, carries it.
@@ -88,7 +88,7 @@ fn turbulent(
     direction: DVec3,
     speed: f64,
     duration: f64,
-) -> Result<Series<DVec3>, Diagnostic> {
+) -> Result<LinearTable<DVec3>, Diagnostic> {
     let table = asked.table();
     if speed == 0.0 {
         let message = "turbulence is carried along by the wind, whose speed is 0";
@@ -123,11 +123,11 @@ fn turbulent(
 }
 
 /// The sum of two tables from time 0 to `duration`, s, at the finer spacing of the two.
-fn sum(one: &Series<DVec3>, other: &Series<DVec3>, duration: f64) -> Series<DVec3> {
+fn sum(one: &LinearTable<DVec3>, other: &LinearTable<DVec3>, duration: f64) -> LinearTable<DVec3> {
     let spacing = one.spacing.min(other.spacing).max(duration / MOST_ENTRIES);
     let count = (duration / spacing).ceil() as usize + 1;
     let at = |i: usize| i as f64 * spacing;
-    Series { first: 0.0, spacing, values: (0..=count).map(|i| one.at(at(i)) + other.at(at(i))).collect() }
+    LinearTable { first: 0.0, spacing, values: (0..=count).map(|i| one.at(at(i)) + other.at(at(i))).collect() }
 }
 
 /// The rows that a run from 0 to `duration` seconds needs.
@@ -139,18 +139,20 @@ fn during(rows: &[WindRow], duration: f64) -> &[WindRow] {
 
 /// A measured wind at equally spaced times. The spacing is that of the rows if they are equally spaced, else a quarter of
 /// their shortest gap: a peak then keeps at least seven eighths of its height. None if the table would be too large.
-fn resampled(rows: &[WindRow]) -> Option<Series<DVec3>> {
+fn resampled(rows: &[WindRow]) -> Option<LinearTable<DVec3>> {
     let velocity = |row: &WindRow| DVec3::from_array(row.velocity_m_s);
-    let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return Some(Series::constant(DVec3::ZERO)) };
+    let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
+        return Some(LinearTable::constant(DVec3::ZERO));
+    };
     let gaps = rows.windows(2).map(|pair| pair[1].time_s - pair[0].time_s);
     let (least, most) = gaps.fold((f64::INFINITY, 0.0f64), |(least, most), gap| (least.min(gap), most.max(gap)));
     let length = last.time_s - first.time_s;
     if most <= least * (1.0 + 1e-6) && rows.len() > 1 {
         let spacing = length / (rows.len() - 1) as f64;
-        return Some(Series { first: first.time_s, spacing, values: rows.iter().map(velocity).collect() });
+        return Some(LinearTable { first: first.time_s, spacing, values: rows.iter().map(velocity).collect() });
     }
     if length == 0.0 {
-        return Some(Series::constant(velocity(first)));
+        return Some(LinearTable::constant(velocity(first)));
     }
     let count = (4.0 * length / least).ceil();
     if count > MOST_ENTRIES {
@@ -165,7 +167,7 @@ fn resampled(rows: &[WindRow]) -> Option<Series<DVec3>> {
         let share = ((time - before.time_s) / (after.time_s - before.time_s)).min(1.0);
         velocity(before) * (1.0 - share) + velocity(after) * share
     };
-    Some(Series { first: first.time_s, spacing, values: (0..=count).map(at).collect() })
+    Some(LinearTable { first: first.time_s, spacing, values: (0..=count).map(at).collect() })
 }
 
 #[cfg(test)]

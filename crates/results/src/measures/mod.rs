@@ -47,7 +47,7 @@ use glam::DVec3;
 
 /// What of a system the measures go by.
 #[derive(Debug)]
-pub(crate) struct Measured {
+pub(crate) struct MeasuredNet {
     pub landmarks: Landmarks,
     /// Mass of each node, kg; zero for tractors.
     pub web_mass: Vec<f64>,
@@ -76,7 +76,7 @@ pub struct Measures {
 
 impl Measures {
     /// Starts measuring at `position`s of time 0, m, (nodes,); travel counts from the `reference`.
-    pub(crate) fn new(of: &Measured, reference: &[DVec3], position: &[DVec3]) -> Self {
+    pub(crate) fn new(of: &MeasuredNet, reference: &[DVec3], position: &[DVec3]) -> Self {
         Self {
             at_steps: StepMeasures::new(&of.landmarks, reference, position),
             at_checks: WebMeasures::new(&of.web_mass, reference),
@@ -96,7 +96,7 @@ impl Measures {
     }
 
     /// Takes a step into account. Returns whether the net that it leads to is one of the moments that are kept.
-    pub(crate) fn step(&mut self, of: &Measured, live: &Live) -> bool {
+    pub(crate) fn step(&mut self, of: &MeasuredNet, live: &Live) -> bool {
         self.at_steps.step(&of.landmarks, live);
         self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
         self.reactions.step(&of.landmarks, live);
@@ -104,7 +104,7 @@ impl Measures {
     }
 
     /// Keeps the net at a moment.
-    pub(crate) fn keep(&mut self, of: &Measured, frame: &Frame) {
+    pub(crate) fn keep(&mut self, of: &MeasuredNet, frame: &Frame) {
         let area = of.landmarks.outline_area(|node| frame.position[node]);
         let area = area.map(|area| area.dot(of.landmarks.axis).abs());
         let is_open = self.at_steps.glance(&of.landmarks).is_open;
@@ -112,7 +112,7 @@ impl Measures {
     }
 
     /// Takes a check into account.
-    pub(crate) fn check(&mut self, of: &Measured, frame: &Frame) {
+    pub(crate) fn check(&mut self, of: &MeasuredNet, frame: &Frame) {
         let landmarks = &of.landmarks;
         let touches = frame.ledger[Channel::Ground] > 0.0;
         self.at_checks.add(landmarks, &of.web_mass, frame.time, frame.position, touches);
@@ -125,12 +125,12 @@ impl Measures {
     }
 
     /// The web as a whole at a record.
-    pub(crate) fn web(&self, of: &Measured, frame: &Frame) -> WebState {
+    pub(crate) fn web(&self, of: &MeasuredNet, frame: &Frame) -> WebState {
         self.at_checks.web(&of.landmarks, &of.web_mass, frame.position)
     }
 
     /// Counts a record that has been written.
-    pub(crate) fn recorded(&mut self, of: &Measured, frame: &Frame) {
+    pub(crate) fn recorded(&mut self, of: &MeasuredNet, frame: &Frame) {
         self.at_steps.recorded(&of.landmarks);
         self.rows += 1;
         self.last_time = frame.time;
@@ -143,7 +143,7 @@ impl Measures {
 
     /// The sections of the summary that are measured; the others are left open. `tolerance` is what the balance was
     /// asked to reach, closure and closure of the web.
-    pub(crate) fn finish(self, of: &Measured, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
+    pub(crate) fn finish(self, of: &MeasuredNet, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
         let places = self.at_checks.places(&of.landmarks, &of.web_mass, &self.moments());
         let Self { at_steps, at_checks, ropes, cloth, reactions, moments: _, rows: _, last_time: _, last_residual } =
             self;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use netcast_dynamics::air::atmosphere::Medium;
-use netcast_dynamics::air::wind::{Series, Wind, power_law};
+use netcast_dynamics::air::wind::{LinearTable, Wind, power_law};
 use netcast_dynamics::air::{Air, Attitude, BodyDrag};
 use netcast_dynamics::body::{Body, Tie};
 use netcast_dynamics::forces::bending::Bending;
@@ -182,7 +182,7 @@ pub fn surroundings() -> Environment {
 /// knots, its bodies and a few nodes.
 pub fn in_a_storm(net: &mut Net) {
     let mean = power_law(15.0, 10.0, 0.2, 1.5, 20.0);
-    let fluctuation = Series { first: 0.0, spacing: 1e-3, values: (0..40).map(wobble).collect() };
+    let fluctuation = LinearTable { first: 0.0, spacing: 1e-3, values: (0..40).map(wobble).collect() };
     let wind = Wind { direction: DVec3::new(0.6, 0.8, 0.0), mean, fluctuation };
     let rope = RopeDrag { diameter: 0.01, normal: None, tangential: 0.02, solidity: 0.2 };
     let drag = |group: usize| match group % 3 {
