@@ -118,14 +118,14 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// A load, a body, a drive or a launcher names a node that it cannot have.
-    #[error("{what} {index} has node {node}, which {why}")]
+    /// A part of the system names a node that it cannot have.
+    #[error("{part} {index} has node {node}, which {why}")]
     Attached {
-        /// The kind of part that names it.
-        what: &'static str,
-        /// Which of them.
+        /// The kind of part, and so the list in which `index` counts.
+        part: PartKind,
+        /// Index of the part in its list.
         index: usize,
-        /// The node.
+        /// The node; of a [`PartKind::Hull`], the body.
         node: usize,
         /// What is wrong with it.
         why: &'static str,
@@ -140,9 +140,56 @@ pub enum SystemError {
     },
 }
 
+/// A kind of part that names nodes, by the list in which such parts stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartKind {
+    /// [`SystemParts::bends`].
+    Bend,
+    /// [`SystemParts::membranes`].
+    Membrane,
+    /// [`SystemParts::hinges`].
+    Hinge,
+    /// [`SystemParts::loads`].
+    Load,
+    /// [`SystemParts::bodies`].
+    Body,
+    /// [`SystemParts::drives`].
+    Drive,
+    /// [`SystemParts::launchers`].
+    Launcher,
+    /// [`SystemParts::custom`].
+    Custom,
+    /// [`Ground::nodes`].
+    Footing,
+    /// [`Ground::hulls`].
+    Hull,
+    /// [`Air::sheets`].
+    SheetDrag,
+    /// [`Air::bodies`].
+    BodyDrag,
+}
+
+impl std::fmt::Display for PartKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            PartKind::Bend => "bend",
+            PartKind::Membrane => "triangle of a sheet",
+            PartKind::Hinge => "hinge",
+            PartKind::Load => "load",
+            PartKind::Body => "body",
+            PartKind::Drive => "drive",
+            PartKind::Launcher => "launcher",
+            PartKind::Custom => "custom effect",
+            PartKind::Footing | PartKind::Hull => "contact of the ground",
+            PartKind::SheetDrag => "drag of a sheet",
+            PartKind::BodyDrag => "drag of a body",
+        })
+    }
+}
+
 impl SystemError {
-    /// Something names a node that it cannot have.
-    pub(crate) fn attached(what: &'static str, index: usize, node: usize, why: &'static str) -> SystemError {
-        SystemError::Attached { what, index, node, why }
+    /// A part names a node that it cannot have.
+    pub(crate) fn attached(part: PartKind, index: usize, node: usize, why: &'static str) -> SystemError {
+        SystemError::Attached { part, index, node, why }
     }
 }

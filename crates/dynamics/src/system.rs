@@ -11,7 +11,7 @@ use crate::forces::membrane::Membrane;
 pub use crate::forces::segment::Segment;
 use crate::launcher::Launcher;
 use crate::layout::Layout;
-pub use crate::parts::{Environment, SystemError, SystemParts};
+pub use crate::parts::{Environment, PartKind, SystemError, SystemParts};
 
 /// The net as a system of ordinary differential equations: parts that fit each other, and how they lie in memory while
 /// time runs.

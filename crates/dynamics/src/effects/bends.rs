@@ -7,7 +7,7 @@ use super::contract::{Effect, Forces, Net, Now, Resting};
 use super::elements::{self, Elements};
 use crate::channel::{ByChannel, Channel};
 use crate::forces::element::Element;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 use crate::state::State;
 
 /// Bends in motion.
@@ -29,7 +29,7 @@ impl Effect for Bends {
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
-        elements::check("bend", &parts.bends, parts.mass.len())
+        elements::check(PartKind::Bend, &parts.bends, parts.mass.len())
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {

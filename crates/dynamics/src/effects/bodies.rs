@@ -7,7 +7,7 @@ use super::contract::{Effect, Forces, Net, Now};
 use crate::body::{Body, Rotation};
 use crate::channel::Channel;
 use crate::moving::{Moving, Turning};
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 
 /// Rigid bodies in motion; how they turn is in [`Now::turning`].
 #[derive(Debug, Clone)]
@@ -31,19 +31,19 @@ impl Effect for Bodies {
         for (index, body) in parts.bodies.iter().enumerate() {
             if body.centre >= nodes || !(body.inertia.is_finite() && body.inertia.min_element() > 0.0) {
                 let why = "does not exist, or about which there is no inertia";
-                return Err(SystemError::attached(Self::NAME, index, body.centre, why));
+                return Err(SystemError::attached(PartKind::Body, index, body.centre, why));
             }
             for tie in &body.ties {
                 if tie.node >= nodes || parts.held[tie.node] || taken[tie.node] || !tie.arm.is_finite() {
                     let why = "does not exist, is held, or is tied to a body already";
-                    return Err(SystemError::attached(Self::NAME, index, tie.node, why));
+                    return Err(SystemError::attached(PartKind::Body, index, tie.node, why));
                 }
                 taken[tie.node] = true;
             }
         }
         match parts.bodies.iter().enumerate().find(|(_, body)| taken[body.centre]) {
             Some((index, body)) => {
-                Err(SystemError::attached(Self::NAME, index, body.centre, "is its centre and tied to a body"))
+                Err(SystemError::attached(PartKind::Body, index, body.centre, "is its centre and tied to a body"))
             }
             None => Ok(()),
         }

@@ -7,7 +7,7 @@ use super::contract::{Effect, Forces, Net, Now};
 use super::traced::TracedWork;
 use crate::channel::Channel;
 use crate::custom::CustomEffect;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 
 /// Effects of the caller's own in motion. A relaxation leaves them out.
 #[derive(Debug, Clone)]
@@ -39,7 +39,7 @@ impl Effect for Customs {
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
         for (index, effect) in parts.custom.iter().enumerate() {
             if let Some(node) = effect.nodes().into_iter().find(|&node| node >= parts.mass.len()) {
-                return Err(SystemError::attached("effect of the caller's own,", index, node, "does not exist"));
+                return Err(SystemError::attached(PartKind::Custom, index, node, "does not exist"));
             }
         }
         Ok(())

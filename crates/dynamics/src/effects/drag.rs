@@ -12,7 +12,7 @@ use crate::air::{Air, Attitude};
 use crate::channel::Channel;
 use crate::forces::element::ElementForces;
 use crate::forces::sheet_drag;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 
 /// Sheets and bodies that drag.
 #[derive(Debug, Clone)]
@@ -133,7 +133,7 @@ fn check_nodes(parts: &SystemParts, air: &Air) -> Result<(), SystemError> {
     }
     for (index, sheet) in air.sheets.iter().enumerate() {
         if let Some(&node) = sheet.nodes.iter().find(|&&node| node >= nodes) {
-            return Err(SystemError::attached("drag of a sheet", index, node, "does not exist"));
+            return Err(SystemError::attached(PartKind::SheetDrag, index, node, "does not exist"));
         }
     }
     for (index, body) in air.bodies.iter().enumerate() {
@@ -143,7 +143,7 @@ fn check_nodes(parts: &SystemParts, air: &Air) -> Result<(), SystemError> {
         };
         if !is_there {
             let why = "does not exist, or is not that body's centre";
-            return Err(SystemError::attached("drag of a body", index, body.node, why));
+            return Err(SystemError::attached(PartKind::BodyDrag, index, body.node, why));
         }
     }
     Ok(())

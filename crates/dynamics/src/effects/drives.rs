@@ -4,7 +4,7 @@ use super::contract::{Effect, Forces, Net, Now};
 use super::traced::TracedWork;
 use crate::channel::Channel;
 use crate::moving::Moving;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 
 /// Drives in motion. A relaxation leaves them where their paths begin.
 #[derive(Debug, Clone)]
@@ -32,7 +32,7 @@ impl Effect for Drives {
             let is_held = parts.held.get(drive.node).is_some_and(|held| *held);
             if !is_held || drive.path.is_empty() || !(ascending && finite) {
                 let why = "is not held, or whose path does not go forward in time";
-                return Err(SystemError::attached(Self::NAME, index, drive.node, why));
+                return Err(SystemError::attached(PartKind::Drive, index, drive.node, why));
             }
         }
         Ok(())

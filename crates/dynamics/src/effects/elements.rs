@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::forces::element::{Element, ElementForces};
-use crate::parts::SystemError;
+use crate::parts::{PartKind, SystemError};
 use crate::team::Team;
 
 /// With fewer elements than this, threads wait longer than they work.
@@ -111,13 +111,13 @@ impl<const N: usize> Elements<N> {
 
 /// Whether the nodes of all elements are nodes of the system.
 pub(super) fn check<E: Element<N>, const N: usize>(
-    name: &'static str,
+    part: PartKind,
     elements: &[E],
     nodes: usize,
 ) -> Result<(), SystemError> {
     for (index, element) in elements.iter().enumerate() {
         if let Some(&node) = element.nodes().iter().find(|&&node| node >= nodes) {
-            return Err(SystemError::attached(name, index, node, "does not exist"));
+            return Err(SystemError::attached(part, index, node, "does not exist"));
         }
     }
     Ok(())

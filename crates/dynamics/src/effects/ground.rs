@@ -9,7 +9,7 @@ use crate::body::Rotation;
 use crate::channel::{ByChannel, Channel};
 use crate::forces::ground::{Footing, Ground, Hull, Spring};
 use crate::moving::Turning;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 use crate::state::State;
 
 /// Name in the step bound of nodes and of bodies alike.
@@ -33,7 +33,12 @@ impl Effect for Footings {
         let Some(ground) = &parts.environment.ground else { return Ok(()) };
         for (index, footing) in ground.nodes.iter().enumerate() {
             if parts.mass.get(footing.node).is_none_or(|&mass| mass == 0.0) || !footing.radius.is_finite() {
-                return Err(SystemError::attached(CONTACT, index, footing.node, "does not exist, or has no mass"));
+                return Err(SystemError::attached(
+                    PartKind::Footing,
+                    index,
+                    footing.node,
+                    "does not exist, or has no mass",
+                ));
             }
         }
         let springs = ground.nodes.iter().map(|at| at.spring).chain(ground.hulls.iter().map(|hull| hull.spring));
@@ -89,9 +94,6 @@ impl Effect for Footings {
     }
 }
 
-/// Name of a contact point in messages.
-const CONTACT: &str = "contact of the ground";
-
 /// Each node that the ground can touch, with the ground.
 fn footings(parts: &SystemParts) -> impl Iterator<Item = (&Ground, &Footing)> {
     parts.environment.ground.iter().flat_map(|ground| ground.nodes.iter().map(move |at| (ground, at)))
@@ -144,7 +146,7 @@ impl Effect for Hulls {
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
         for (index, (_, hull)) in hulls(parts).enumerate() {
             if hull.body >= parts.bodies.len() || !(hull.arm.is_finite() && hull.radius.is_finite()) {
-                return Err(SystemError::attached(CONTACT, index, hull.body, "is no body"));
+                return Err(SystemError::attached(PartKind::Hull, index, hull.body, "is no body"));
             }
         }
         Ok(())

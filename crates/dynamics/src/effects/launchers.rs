@@ -19,7 +19,7 @@ use crate::channel::Channel;
 use crate::forces::gravity;
 use crate::launcher::{Launcher, Means, Push, Tube};
 use crate::moving::{Moving, StepFactors};
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 
 /// Launchers in motion.
 #[derive(Debug, Clone)]
@@ -65,10 +65,10 @@ impl Effect for Launchers {
             let node = launcher.node;
             if node >= nodes || parts.held[node] || std::mem::replace(&mut taken[node], true) {
                 let why = "does not exist, is held, carried or launched twice";
-                return Err(SystemError::attached(Self::NAME, index, node, why));
+                return Err(SystemError::attached(PartKind::Launcher, index, node, why));
             }
             if let Some(why) = launcher.fault() {
-                return Err(SystemError::attached(Self::NAME, index, node, why));
+                return Err(SystemError::attached(PartKind::Launcher, index, node, why));
             }
         }
         Ok(())

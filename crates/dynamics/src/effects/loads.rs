@@ -3,7 +3,7 @@
 use super::contract::{Effect, Forces, Net, Now, Resting};
 use super::traced::TracedWork;
 use crate::channel::{ByChannel, Channel};
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 use crate::state::State;
 
 /// Loads in motion: each load that is brought up in time is followed for its work.
@@ -26,7 +26,7 @@ impl Effect for Loads {
             let is_right = load.force.is_finite() && load.ramp >= 0.0 && load.ramp.is_finite();
             if load.node >= parts.mass.len() || !is_right {
                 return Err(SystemError::attached(
-                    Self::NAME,
+                    PartKind::Load,
                     index,
                     load.node,
                     "does not exist, or whose force is not finite",

@@ -6,7 +6,7 @@ use super::contract::{Effect, Forces, Net, Now, Resting};
 use super::elements::{self, Elements};
 use crate::channel::{ByChannel, Channel};
 use crate::forces::element::Element;
-use crate::parts::{SystemError, SystemParts};
+use crate::parts::{PartKind, SystemError, SystemParts};
 use crate::state::State;
 
 /// Triangles in motion.
@@ -28,7 +28,7 @@ impl Effect for Membranes {
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
-        elements::check("triangle of a sheet", &parts.membranes, parts.mass.len())
+        elements::check(PartKind::Membrane, &parts.membranes, parts.mass.len())
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
@@ -80,7 +80,7 @@ impl Effect for Hinges {
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
-        elements::check("hinge", &parts.hinges, parts.mass.len())
+        elements::check(PartKind::Hinge, &parts.hinges, parts.mass.len())
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {

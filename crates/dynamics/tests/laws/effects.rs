@@ -11,7 +11,7 @@ use netcast_dynamics::moving;
 use netcast_dynamics::simulate::{Frame, Live, Observer, Schedule, resume, simulate};
 use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::step_size::step_limit;
-use netcast_dynamics::system::{Environment, SystemError};
+use netcast_dynamics::system::{Environment, PartKind, SystemError};
 
 /// A spring from some nodes to the origin, N/m, that is a little softer the farther they have been.
 #[derive(Debug, Clone)]
@@ -145,7 +145,7 @@ fn a_force_of_the_callers_own_goes_on_after_an_interruption_to_the_same_bits() {
 fn a_force_of_the_callers_own_on_a_node_that_is_not_there_is_refused() {
     let mut net = Net::rope(1.0, 2, paper_rope(0.05));
     net.parts.custom = vec![ToOrigin::of(1.0, &[7])];
-    assert!(matches!(net.parts.build(), Err(SystemError::Attached { node: 7, index: 0, .. })));
+    assert!(matches!(net.parts.build(), Err(SystemError::Attached { part: PartKind::Custom, node: 7, index: 0, .. })));
 }
 
 /// A load and the ground under a mass that lies: the forces of each are asked for apart, and balance the weight.
