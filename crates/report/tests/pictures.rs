@@ -45,6 +45,7 @@ fn landmarks() -> Landmarks {
         tractors: corners.clone(),
         centre: corners.clone(),
         points: vec![Landmark { name: "B".into(), nodes: corners, is_group: false, segments: vec![0] }],
+        supports: Vec::new(),
         bottom: vec![0],
         classes: vec![LinkClass { name: "outline".into(), is_rope: true, strength: None }],
         ropes: vec![NamedRope { name: "rope".into(), strength: None, knot_reduction: None }],

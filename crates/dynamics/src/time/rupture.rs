@@ -68,7 +68,8 @@ impl Strength {
 pub(super) fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = BreakingSegment> + use<'r> {
     ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
         let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-        let failure = move |f: &Failing| BreakingSegment { segment: segment(f.slot), tension: f.tension, energy: f.energy };
+        let failure =
+            move |f: &Failing| BreakingSegment { segment: segment(f.slot), tension: f.tension, energy: f.energy };
         ropes.failing.iter().map(failure)
     })
 }

@@ -159,6 +159,7 @@ mod tests {
             tractors: vec![SEGMENTS],
             centre: vec![300],
             points: vec![Landmark { name: "B".into(), nodes: vec![77], is_group: false, segments: vec![77] }],
+            supports: Vec::new(),
             bottom: Vec::new(),
             classes: ["one", "other"]
                 .map(|name| LinkClass { name: name.into(), is_rope: true, strength: None })
