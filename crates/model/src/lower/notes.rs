@@ -9,6 +9,7 @@ use netcast_scenario::Diagnostics;
 use super::draft::Draft;
 use super::exposure;
 use super::silences;
+use super::stepping::largest_dt;
 use super::throw::{Throw, Thrown};
 
 /// Adds the notes on the model as a whole.
@@ -22,7 +23,7 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     let gravity = system.environment().gravity.length();
     notes.extend(exposure::notes(scenario, gravity, air.as_ref(), *falls));
     notes.extend(never_moves(system, state));
-    let dt = scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si()) * limit.dt;
+    let dt = largest_dt(scenario, limit);
     let end = scenario.solve.run_time().unwrap_or(0.0);
     notes.extend(silences::notes(document, scenario, throws, air.as_ref(), dt, end));
     Ok(())

@@ -25,6 +25,7 @@ pub fn notes(
         too_often,
         thrown_too_late(throws, end),
         document.files.wind.as_ref().and_then(|rows| wind_not_covered(rows, end)),
+        document.files.wind.as_ref().and_then(|rows| wind_too_fast(rows, dt)),
         air.and_then(|air| too_solid(air.drawn_solidity?)),
         (throws.iter().any(Option::is_some) && scenario.stow.is_none())
             .then(|| "there is a launch and no [stow]: the web starts flat, as drawn".to_owned()),
@@ -55,6 +56,14 @@ fn wind_not_covered(rows: &[WindRow], end: f64) -> Option<String> {
         (true, true) => "before and after it, its first and its last row hold",
     };
     Some(format!("the wind series covers {from} s to {to} s, and the run takes 0 s to {end} s: {held}"))
+}
+
+/// A measured wind that changes faster than steps see.
+fn wind_too_fast(rows: &[WindRow], dt: f64) -> Option<String> {
+    let closest = rows.windows(2).map(|pair| pair[1].time_s - pair[0].time_s).fold(f64::INFINITY, f64::min);
+    (closest < dt).then(|| {
+        format!("the wind series has rows {closest:.3e} s apart, and the step is {dt:.3e} s: what lies between steps is missed")
+    })
 }
 
 /// Ropes that cover more than the web's area.

@@ -23,17 +23,28 @@ const AIM: f64 = 0.35;
 /// Least factor of a larger step that is worth a message.
 const NOTABLE: f64 = 1.3;
 
+/// Steps in which a gust rises and falls: fewer do not see its peak.
+const STEPS_OF_A_GUST: f64 = 20.0;
+
 /// The most steps of a run. A larger number is a typing error.
 const MOST_STEPS: f64 = 1e12;
 
 impl Model {
-    /// The largest step, s: the share of the stability limit that the scenario asks for.
+    /// The largest step, s: the share of the stability limit that the scenario asks for, or less where a gust is short.
     pub fn largest_dt(&self) -> f64 {
-        self.scenario.solve.step_fraction.expect("it was chosen").si() * self.limit.dt
+        largest_dt(&self.scenario, &self.limit)
+    }
+
+    /// Whether a gust bounds the step.
+    fn is_bound_by_gust(&self) -> bool {
+        gust_dt(&self.scenario) <= self.largest_dt()
     }
 
     /// The change that would allow a larger step, in words; none if nothing limits the step.
     pub fn step_lift(&self) -> Option<String> {
+        if self.is_bound_by_gust() {
+            return Some("a longer environment.wind.gust.duration".to_owned());
+        }
         let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
         let what = match stiffest? {
             Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].group].class {
@@ -63,8 +74,23 @@ impl Model {
 
     /// The part of the net that limits the step, in words; none if nothing limits it.
     pub fn limited_by(&self) -> Option<String> {
+        if self.is_bound_by_gust() {
+            return Some("the gust of the wind".to_owned());
+        }
         limited_by(&self.limit, &self.cut, &self.members)
     }
+}
+
+/// The largest step of a run, s.
+pub fn largest_dt(scenario: &Scenario, limit: &StepLimit) -> f64 {
+    let share = scenario.solve.step_fraction.map_or(1.0, |fraction| fraction.si());
+    (share * limit.dt).min(gust_dt(scenario))
+}
+
+/// The largest step that sees the gust of a scenario, s; infinite without one.
+fn gust_dt(scenario: &Scenario) -> f64 {
+    let gust = scenario.environment.wind.as_ref().and_then(|wind| wind.gust.as_ref());
+    gust.map_or(f64::INFINITY, |gust| gust.duration.si() / STEPS_OF_A_GUST)
 }
 
 /// The default share of the stability limit: the energy balance closes within its tolerances, with room to spare.
@@ -114,7 +140,7 @@ fn require_affordable(
     members: &[Member],
 ) -> Result<(), Diagnostics> {
     let (duration, every) = (scenario.solve.run_time().unwrap_or(0.0), scenario.record.every.si());
-    let largest_dt = scenario.solve.step_fraction.map_or(1.0, |f| f.si()) * limit.dt;
+    let largest_dt = largest_dt(scenario, limit);
     let steps = duration / largest_dt;
     let mut found = Vec::new();
     if duration / every > MOST_ROWS {
