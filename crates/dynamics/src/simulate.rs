@@ -4,6 +4,7 @@ use crate::channel::Channel;
 use crate::effects::Launching;
 use crate::energy::{Balance, Ledger, Losses, least_energy, mass_damping_power};
 use crate::forces::breaking::Break;
+use crate::forces::law::Law;
 pub use crate::frame::{Frame, Live};
 use crate::limits::{Excess, Limits};
 pub use crate::observe::Observer;
@@ -41,6 +42,16 @@ pub enum StepError {
         time: f64,
         /// Energy missing, J.
         residual: f64,
+    },
+    /// A segment is stretched beyond the last row of its table, whose law asks to stop there.
+    #[error("step {step} at {time} s: segment {segment} is stretched beyond the last row of its table")]
+    BeyondTable {
+        /// Which step.
+        step: u64,
+        /// At what time, s.
+        time: f64,
+        /// Which segment.
+        segment: usize,
     },
     /// The run exceeds a limit of its observer's.
     #[error("{0}")]
@@ -163,7 +174,9 @@ impl Run<'_> {
             self.add_step(sums, observer);
             while !self.is_due(observer) {
                 let sums = self.net.step();
-                self.add_forces(&sums);
+                if let Some(stopped) = self.add_forces(&sums) {
+                    return self.outcome(Some(stopped));
+                }
                 if !sums.work[Channel::RopeDamping].is_finite() {
                     return self.outcome(Some(not_finite(&self.net, self.time(), self.step)));
                 }
@@ -185,7 +198,7 @@ impl Run<'_> {
     fn show(&mut self, observer: &mut dyn Observer) -> Option<Outcome> {
         let (time, step) = (self.time(), self.step);
         let sums = self.net.forces();
-        self.add_forces(&sums);
+        let beyond_table = self.add_forces(&sums);
         let (record, check) = (self.schedule.records(step), self.schedule.checks(step));
         let due = Due { time, step, record, check, moment: self.wanted };
         let measured = sums.work[Channel::RopeDamping].is_finite()
@@ -194,7 +207,7 @@ impl Run<'_> {
             return Some(self.outcome(Some(not_finite(&self.net, time, step))));
         }
         let exceeded = self.record.exceeded.filter(|_| self.limits.stops).map(StepError::Exceeded);
-        let stopped = self.record.diverged(time, step).or(exceeded);
+        let stopped = self.record.diverged(time, step).or(beyond_table).or(exceeded);
         if stopped.is_some() {
             return Some(self.outcome(stopped));
         }
@@ -214,18 +227,26 @@ impl Run<'_> {
         interrupted.then(|| self.outcome(Some(StepError::Interrupted { time })))
     }
 
-    /// Adds the work of a step's forces to the losses, and notes the segments that break.
-    fn add_forces(&mut self, sums: &StepSums) {
+    /// Adds the work of a step's forces to the losses, and notes the segments that break. Returns the first of them that
+    /// stops the run.
+    fn add_forces(&mut self, sums: &StepSums) -> Option<StepError> {
         self.losses.add_work(&sums.work);
-        if sums.failing > 0 {
-            let (step, time) = (self.step, self.time());
-            let mut failing: Vec<_> = self.net.failing().collect();
-            failing.sort_by_key(|failure| failure.segment);
-            for BreakingSegment { segment, tension, energy } in failing {
-                self.losses.add_rupture(energy);
-                self.breaks.push(Break { segment, step, time, tension });
-            }
+        if sums.failing == 0 {
+            return None;
         }
+        let (step, time, system) = (self.step, self.time(), self.net.system());
+        let mut failing: Vec<_> = self.net.failing().collect();
+        failing.sort_by_key(|failure| failure.segment);
+        let stops =
+            |segment: usize| matches!(system.law(&system.segments()[segment]), Law::Tabulated(law) if law.stops());
+        if let Some(BreakingSegment { segment, .. }) = failing.iter().find(|failing| stops(failing.segment)) {
+            return Some(StepError::BeyondTable { step, time, segment: *segment });
+        }
+        for BreakingSegment { segment, tension, energy } in failing {
+            self.losses.add_rupture(energy);
+            self.breaks.push(Break { segment, step, time, tension });
+        }
+        None
     }
 
     /// Counts a step that was taken, and shows it to the observer.

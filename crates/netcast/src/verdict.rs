@@ -1,5 +1,6 @@
 //! Whether a run failed, why, and what mends it.
 
+use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::limits::{Excess, Term};
 use netcast_dynamics::simulate::{PlaceInNet, StepError};
 use netcast_model::Model;
@@ -65,8 +66,27 @@ impl Ended<'_> {
         let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
         let mut warnings: Vec<String> = second.map(|second| second.why.clone()).into_iter().collect();
         warnings.extend(self.model.notes.iter().cloned());
+        warnings.extend(self.beyond_tables());
         warnings.extend(stopped.iter().chain(&missed).map(Failure::to_string));
         (stopped.or(missed.filter(|_| solve.on_energy_error == OnEnergyError::Stop)), warnings)
+    }
+
+    /// That ropes were stretched beyond the last rows of their tables.
+    fn beyond_tables(&self) -> impl Iterator<Item = String> {
+        self.measured.tension.by_rope.iter().filter_map(|(name, used)| {
+            let law = self.model.groups.iter().find(|group| group.rope.as_ref() == Some(name)).map(|group| &group.law);
+            let (Some(Law::Tabulated(law)), Some(strain)) = (law, used.strain_max) else { return None };
+            let (last, time) = (law.last_strain(), used.strain_max_time_s?);
+            (strain > last).then(|| {
+                format!(
+                    "rope `{name}` was strained by {:.3} % at {time:.6} s, in {} ropes; the last row of its table has {:.3} %: \
+                     law.table.beyond says what happens there",
+                    100.0 * strain,
+                    used.strain_max_where.as_deref().unwrap_or_default(),
+                    100.0 * last
+                )
+            })
+        })
     }
 
     /// That the step does not resolve the motion.
@@ -165,6 +185,12 @@ fn in_words(model: &Model, error: &StepError) -> String {
             format!("step {step} at {time} s: the {term} of {place} is not a finite number; {mend}")
         }
         StepError::Diverged { .. } => format!("{error}; {mend}"),
+        StepError::BeyondTable { step, time, segment } => {
+            let place = model.segment_label(*segment);
+            format!(
+                "step {step} at {time} s: {place} is stretched beyond the last row of its table, where law.table.beyond = \"stop\""
+            )
+        }
         StepError::Exceeded(_) | StepError::Interrupted { .. } => error.to_string(),
     }
 }

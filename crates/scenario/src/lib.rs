@@ -83,7 +83,7 @@ pub use orbit::Orbit;
 pub use record::Record;
 pub use rope::{Damping, Rope};
 pub use rope_law::{
-    BilinearLaw, LawFile, LawFiles, LinearLaw, RopeBreaking, RopeLaw, StrutLaw, TableLaw, ViscoelasticLaw,
+    BeyondTable, BilinearLaw, LawFile, LawFiles, LinearLaw, RopeBreaking, RopeLaw, StrutLaw, TableLaw, ViscoelasticLaw,
 };
 pub use rules::is_plain;
 pub use scenario::{Scenario, resolved_toml};

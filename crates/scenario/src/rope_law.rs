@@ -66,6 +66,28 @@ pub struct TableLaw {
     /// tension, N, on the way back from the last row. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
+    /// What happens beyond the last row. Default: extend.
+    #[serde(default, skip_serializing_if = "BeyondTable::is_default")]
+    pub beyond: BeyondTable,
+}
+
+/// What happens to a rope that is stretched beyond the last row of its table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum BeyondTable {
+    /// The line of the last two rows goes on, and the results say how far the rope was stretched.
+    #[default]
+    Extend,
+    /// The run stops there.
+    Stop,
+    /// The rope breaks there.
+    Break,
+}
+
+impl BeyondTable {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 /// `[rope.law.viscoelastic]`: the standard linear solid.

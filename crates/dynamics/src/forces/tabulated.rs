@@ -36,6 +36,8 @@ pub struct Tabulated {
     loading: PiecewiseLinear,
     /// h: unloading over loading tension, as a function of e/m; `None` for an elastic rope.
     left: Option<PiecewiseLinear>,
+    /// Whether a run stops where a segment is stretched beyond the last row.
+    stops: bool,
 }
 
 /// Why a table cannot be the law of a rope.
@@ -105,12 +107,27 @@ impl Tabulated {
             return Err(TableError::Slack);
         }
         let left = unloading.map(|back| left(strain, tension, back)).transpose()?;
-        Ok(Tabulated { loading: PiecewiseLinear::new(strain.to_vec(), tension.to_vec()), left })
+        Ok(Tabulated { loading: PiecewiseLinear::new(strain.to_vec(), tension.to_vec()), left, stops: false })
+    }
+
+    /// The same law, with which a run stops where a segment breaks at [`Tabulated::last_strain`].
+    pub fn stopping(self) -> Tabulated {
+        Tabulated { stops: true, ..self }
+    }
+
+    /// Whether a run stops where a segment is stretched beyond the last row.
+    pub fn stops(&self) -> bool {
+        self.stops
+    }
+
+    /// The strain of the last row.
+    pub fn last_strain(&self) -> f64 {
+        *self.loading.x.last().expect("a table has rows")
     }
 
     /// The elastic law with the same loading curve.
     pub fn loading(&self) -> Tabulated {
-        Tabulated { loading: self.loading.clone(), left: None }
+        Tabulated { loading: self.loading.clone(), left: None, stops: self.stops }
     }
 
     /// Whether unloading follows another curve than loading.

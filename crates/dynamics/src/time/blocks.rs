@@ -252,6 +252,11 @@ impl Ropes {
         }
     }
 
+    /// Strain of a slot's segment at the last forces.
+    pub fn strain(&self, slot: usize) -> f64 {
+        (self.length[slot] - self.rest_length[slot]) / self.rest_length[slot]
+    }
+
     /// Force of a slot's two segments on it, their drag included, N.
     #[inline]
     pub fn force_on(&self, slot: usize) -> DVec3 {

@@ -465,6 +465,16 @@ impl<'a> Stepper<'a> {
             }
         }
     }
+
+    /// The segment of a group that is strained most at the last forces, and its strain; none where none pulls.
+    pub fn largest_strain(&self, group: usize) -> Option<(usize, f64)> {
+        let blocks = self.ropes.iter().zip(self.system.layout().blocks()).filter(|(ropes, _)| ropes.group == group);
+        let strains = blocks.flat_map(|(ropes, plan)| {
+            let segments = plan.slots.iter().enumerate().filter(|(slot, _)| !ropes.is_gone(*slot));
+            segments.filter_map(|(slot, content)| Some((content.segment?, ropes.strain(slot))))
+        });
+        strains.max_by(|one, other| one.1.total_cmp(&other.1))
+    }
 }
 
 /// The net in blocks, as effects see it.

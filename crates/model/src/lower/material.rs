@@ -56,7 +56,7 @@ pub fn groups(draft: &mut Draft) -> Result<(), Diagnostics> {
                 strength: made_of.strength.map(|strength| strength.si()),
                 knot_reduction: made_of.knot_reduction.map(|share| share.si()),
                 law: law.clone(),
-                breaking: rope_law::breaking(made_of, false),
+                breaking: rope_law::breaking(made_of, law, false),
             });
         }
     }
@@ -92,7 +92,7 @@ pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
         let pretension = pretension(rope.rest_length.is_some(), kind, rows.get(segment.rope));
         let (group, ends) = (group_of_rope[segment.rope], [segment.a, segment.b]);
         let piece = Piece::new(kind, &groups[group].law, segment.rest_length, pretension);
-        let breaking = rope_law::breaking(kind, ends.iter().any(|&end| end < web.knots.len()));
+        let breaking = rope_law::breaking(kind, &groups[group].law, ends.iter().any(|&end| end < web.knots.len()));
         let piece = Segment { breaking, ..piece.between(ends, group, &mut parts.mass) };
         members.push(Member { segment: piece, part: Part::Rope(segment) });
     }

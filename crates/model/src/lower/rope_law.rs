@@ -8,7 +8,7 @@ use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::tabulated::{TableError, Tabulated};
 use netcast_dynamics::forces::viscoelastic::Viscoelastic;
 use netcast_scenario::path::Path;
-use netcast_scenario::{BilinearLaw, Diagnostics, Document, Rope, RopeLaw, ViscoelasticLaw};
+use netcast_scenario::{BeyondTable, BilinearLaw, Diagnostics, Document, Rope, RopeLaw, ViscoelasticLaw};
 
 use super::members::section;
 
@@ -27,7 +27,8 @@ pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnos
             let file = document.files.laws.get(&table.file).expect("a document has read the tables of its ropes");
             let law = Tabulated::new(&file.strain, &file.tension, file.unloading.as_deref());
             let wrong = |error: TableError| file.at_row(error.row().unwrap_or(0), &error.to_string());
-            Law::Tabulated(Arc::new(law.map_err(wrong)?))
+            let law = law.map_err(wrong)?;
+            Law::Tabulated(Arc::new(if table.beyond == BeyondTable::Stop { law.stopping() } else { law }))
         }
         RopeLaw::Viscoelastic(ViscoelasticLaw { instantaneous_modulus, relaxation_time }) => {
             let (at_once, relaxation_time) = (instantaneous_modulus.si(), relaxation_time.si());
@@ -49,12 +50,16 @@ pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnos
     }
 }
 
-/// Load, N, and strain at which a segment of `rope` breaks; `knotted` says that it ends at a knot.
-pub fn breaking(rope: &Rope, knotted: bool) -> Breaking {
-    let Some(breaking) = rope.breaking else { return Breaking::NEVER };
+/// Load, N, and strain at which a segment of `rope` breaks; `knotted` says that it ends at a knot. A rope whose table says so
+/// breaks, or stops the run, at the last row of its `law`.
+pub fn breaking(rope: &Rope, law: &Law, knotted: bool) -> Breaking {
+    let end_of_table = match (&rope.law, law) {
+        (RopeLaw::Table(table), Law::Tabulated(law)) if table.beyond != BeyondTable::Extend => law.last_strain(),
+        _ => f64::INFINITY,
+    };
     let left = rope.knot_reduction.filter(|_| knotted).map_or(1.0, |share| 1.0 - share.si());
-    Breaking {
-        load: breaking.load.map_or(f64::INFINITY, |load| left * load.si()),
-        strain: breaking.strain.map_or(f64::INFINITY, |strain| strain.si()),
-    }
+    let asked = rope.breaking;
+    let load = asked.and_then(|breaking| breaking.load).map_or(f64::INFINITY, |load| left * load.si());
+    let strain = asked.and_then(|breaking| breaking.strain).map_or(f64::INFINITY, |strain| strain.si());
+    Breaking { load, strain: strain.min(end_of_table) }
 }

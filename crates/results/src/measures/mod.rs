@@ -80,7 +80,7 @@ impl Measures {
         Self {
             at_steps: StepMeasures::new(&of.landmarks, reference, position),
             at_checks: WebMeasures::new(&of.web_mass, reference),
-            ropes: RopeMeasures::new(of.landmarks.ropes.len()),
+            ropes: RopeMeasures::new(&of.landmarks),
             cloth: ClothMeasures::default(),
             reactions: ReactionMeasures::new(&of.landmarks),
             moments: Moments::default(),
@@ -100,6 +100,7 @@ impl Measures {
         self.at_steps.step(&of.landmarks, live);
         self.cloth.add(&of.membranes, live.position_time, |node| live.net.position(node));
         self.reactions.step(&of.landmarks, live);
+        self.ropes.step(self.at_steps.largest_tensions(), live);
         self.moments.step(self.at_steps.glance(&of.landmarks), live)
     }
 

@@ -124,6 +124,11 @@ impl StepMeasures {
         self.shape(landmarks, live.position_time, |node| live.net.position(node));
     }
 
+    /// Highest tension of each group at the last step, N, (groups,).
+    pub fn largest_tensions(&self) -> &[f64] {
+        &self.largest
+    }
+
     /// What moments go by, after a step.
     pub fn glance(&self, landmarks: &Landmarks) -> Glance {
         let is_rope = |group: &Group| landmarks.classes[group.class].is_rope;

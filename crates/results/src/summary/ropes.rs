@@ -58,6 +58,12 @@ section! {
         max_time_s: Option<f64> => "Highest tension, rope `{}`, at", Time, not_in_table;
         /// Link class of the segment with the highest tension.
         max_where: Option<String> => "Highest tension, rope `{}`, in", Text, not_in_table;
+        /// Largest strain of its segments, at the steps of its highest tensions.
+        strain_max: Option<f64> => "Largest strain, rope `{}`", Strain;
+        /// When it occurred.
+        strain_max_time_s: Option<f64> => "Largest strain, rope `{}`, at", Time, not_in_table;
+        /// Link class of the segment with the largest strain.
+        strain_max_where: Option<String> => "Largest strain, rope `{}`, in", Text, not_in_table;
         /// Breaking load of the rope, where the scenario gives one.
         strength_n: Option<f64> => "Strength, rope `{}`", Force;
         /// Share of the breaking load that is lost at knots, where the scenario gives one.
