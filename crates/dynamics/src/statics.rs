@@ -27,6 +27,7 @@ use glam::DVec3;
 use crate::body::Body;
 use crate::effects::{self, Resting};
 use crate::forces::breaking::Breaking;
+use crate::forces::element::Element;
 use crate::forces::law::Law;
 use crate::forces::load::Load;
 use crate::forces::segment::Segment;
@@ -52,12 +53,12 @@ pub struct Residual {
     pub force: f64,
     /// The node on which it acts.
     pub node: usize,
-    /// The largest tension or load in the net, N.
+    /// The largest tension, force of a bend or load in the net, N.
     pub largest: f64,
 }
 
 impl Residual {
-    /// The force over the largest tension or load.
+    /// The force over that largest one.
     pub fn relative(&self) -> f64 {
         if self.force == 0.0 { 0.0 } else { self.force / self.largest }
     }
@@ -357,7 +358,13 @@ fn residual(net: &Stepper) -> Residual {
     let on_bodies = torques.map(|(torque, body)| (body.centre, torque.length() / arm_squared(body).sqrt()));
     let loads = system.loads().iter().map(|load| load.force.length());
     let tensions = (0..system.segments().len()).map(|segment| net.tension(segment).abs());
-    let mut residual = Residual { force: 0.0, node: 0, largest: loads.chain(tensions).fold(0.0, f64::max) };
+    // a stiff rope bears loads by bending where it bears next to no tension
+    let at_rest = |node: usize| net.position(node);
+    let bends = system.parts().bends.iter().flat_map(|b| b.pull(b.nodes().map(at_rest), [DVec3::ZERO; 3]).elastic);
+    let clamps = system.parts().clamps.iter().flat_map(|c| c.pull(c.nodes().map(at_rest), [DVec3::ZERO; 2]).elastic);
+    let bent = bends.chain(clamps).map(DVec3::length);
+    let largest = loads.chain(tensions).chain(bent).fold(0.0, f64::max);
+    let mut residual = Residual { force: 0.0, node: 0, largest };
     for (node, force) in on_nodes.chain(on_bodies) {
         // a force that is not a number stays
         if force > residual.force || force.is_nan() {

@@ -7,7 +7,7 @@ pub enum Progress {
     Relaxing {
         /// Iterations so far.
         iterations: u64,
-        /// Largest unbalanced force over the largest tension or load.
+        /// Largest unbalanced force over the largest tension, bending force or load.
         residual: f64,
         /// The residual that ends the search.
         tolerance: f64,

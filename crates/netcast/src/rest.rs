@@ -55,8 +55,8 @@ impl Rest {
         let place = model.node_label(residual.node);
         Some(match error {
             StaticsError::NotConverged { .. } => format!(
-                "{error}: {place} is out of balance by {:.3e} N, {:.1e} of the largest tension or load where {:.1e} is \
-                 asked for; allow more by solve.static.max_iterations, or ask for less by solve.static.tolerance",
+                "{error}: {place} is out of balance by {:.3e} N, {:.1e} of the largest tension, bending force \
+                 or load where {:.1e} is asked for; allow more by solve.static.max_iterations, or ask for less by solve.static.tolerance",
                 residual.force,
                 residual.relative(),
                 self.tolerance

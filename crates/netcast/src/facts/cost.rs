@@ -13,7 +13,7 @@ use crate::case::Case;
 pub struct Equilibrium {
     /// Largest number of iterations.
     pub max_iterations: u32,
-    /// Largest unbalanced force that is accepted, over the largest tension or load.
+    /// Largest unbalanced force that is accepted, over the largest tension, bending force or load.
     pub tolerance: f64,
     /// Number of nodes.
     pub nodes: usize,

@@ -81,8 +81,8 @@ section! {
     Equilibrium, "static" {
         /// Largest unbalanced force on a node that is free to move.
         residual_n: Option<f64> => "Largest force out of balance", Force;
-        /// Largest unbalanced force over the largest tension or load.
-        residual_relative: Option<f64> => "Force out of balance over the largest tension or load", Error;
+        /// Largest unbalanced force over the largest tension, bending force or load.
+        residual_relative: Option<f64> => "Force out of balance over the largest tension, bending force or load", Error;
         /// The node with the largest unbalanced force.
         residual_where: Option<String> => "Largest force out of balance, on", Text;
         /// Relative unbalanced force at which the search for the equilibrium stops.
