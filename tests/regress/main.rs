@@ -6,6 +6,7 @@ mod support;
 mod compare;
 mod diverging_run;
 mod fuzz_corpus;
+mod lengths;
 mod out_of_range;
 mod records;
 mod resume;

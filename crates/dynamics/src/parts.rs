@@ -6,7 +6,7 @@ use crate::air::Air;
 use crate::body::Body;
 use crate::custom::CustomEffect;
 use crate::drive::Drive;
-use crate::forces::bending::Bending;
+use crate::forces::bending::{Bending, Clamp};
 use crate::forces::ground::Ground;
 use crate::forces::hinge::Hinge;
 use crate::forces::law::Law;
@@ -46,6 +46,8 @@ pub struct SystemParts {
     pub laws: Vec<Law>,
     /// Where ropes resist bending.
     pub bends: Vec<Bending>,
+    /// Ends at which ropes that resist bending keep their direction.
+    pub clamps: Vec<Clamp>,
     /// Triangles of sheets.
     pub membranes: Vec<Membrane>,
     /// Where sheets resist bending.
@@ -145,6 +147,8 @@ pub enum SystemError {
 pub enum PartKind {
     /// [`SystemParts::bends`].
     Bend,
+    /// [`SystemParts::clamps`].
+    Clamp,
     /// [`SystemParts::membranes`].
     Membrane,
     /// [`SystemParts::hinges`].
@@ -173,6 +177,7 @@ impl std::fmt::Display for PartKind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             PartKind::Bend => "bend",
+            PartKind::Clamp => "clamp",
             PartKind::Membrane => "triangle of a sheet",
             PartKind::Hinge => "hinge",
             PartKind::Load => "load",

@@ -100,6 +100,10 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
         let class = class(cells);
         let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL);
         let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL);
+        if rest_length.flatten().is_some() && pretension.flatten().is_some() {
+            let message = "a rest length and a pretension are two ways to say how far the rope is stretched as drawn";
+            cells.fault_in("pretension", message.into(), Some("leave one of them empty".into()));
+        }
         let segments = segments(cells);
         Some(RopeRow {
             a: a?,
@@ -118,7 +122,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
 /// Checks that the nodes exist that the scenario itself names.
 fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
     let mut unknown = 0;
-    for list in ["web.graph.outline", "web.graph.corners", "hold.nodes", "points"] {
+    for list in ["web.graph.outline", "web.graph.corners", "hold.nodes", "hold.clamped", "points"] {
         let path = Path::parse(list);
         let named: Vec<_> = match written.tree.get(&path).map(|node| &node.value) {
             Some(Value::Array(elements)) => {

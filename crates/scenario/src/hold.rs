@@ -11,4 +11,7 @@ pub struct Hold {
     pub corners: bool,
     /// Ids of the nodes that are fixed. Default: none.
     pub nodes: Vec<String>,
+    /// Ids of the nodes that are fixed and at which ropes that resist bending keep the direction that they have at the
+    /// start. Default: none; ropes turn freely where they are held.
+    pub clamped: Vec<String>,
 }

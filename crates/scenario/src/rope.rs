@@ -37,7 +37,9 @@ pub struct Rope {
     /// Damping of each segment as a fraction of critical damping: c = 2 ratio sqrt(k m), with its mass m and its
     /// stiffness k from the elastic modulus. Default: 0.05, unless `damping_time` is given.
     pub damping_ratio: Option<Number<NonNegative>>,
-    /// Bending stiffness EI between the segments of a rope, N m^2. Knots turn freely. A solid rod has E pi d^4 / 64,
+    /// Bending stiffness EI between the segments of a rope, N m^2. It acts at
+    /// nodes inside the rope, at knots where just two such ropes meet in line, to 30 degrees, and at `hold.clamped`; other
+    /// knots turn freely. A solid rod has E pi d^4 / 64,
     /// a rope a small part of that. Default: none.
     pub bending_stiffness: Option<BendingStiffness<Positive>>,
     /// Tension of the rope in the web as drawn, N. Default: 0 N.

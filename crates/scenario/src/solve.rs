@@ -40,7 +40,7 @@ pub struct Solve {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Static {
-    /// Largest permitted net force on a node over the largest tension or load. Default: 1e-6.
+    /// Largest permitted net force on a node over the largest tension, bending force or load. Default: 1e-6.
     pub tolerance: Number<BelowOne>,
     /// Number of iterations after which the solver gives up. Default: 2000000.
     pub max_iterations: NonZeroU32,

@@ -36,6 +36,8 @@ pub struct Parts {
     pub ropes: Vec<RopeKind>,
     /// The kind of each of the web's ropes, as an index into `ropes`, (ropes,).
     pub kind_of_rope: Vec<usize>,
+    /// Rest length of each of the web's ropes, m, (ropes,).
+    pub rest_lengths: Vec<f64>,
     /// A canopy without its payload.
     pub canopy: BillItem,
     /// A payload; some canopies carry one.
@@ -114,8 +116,9 @@ pub fn bill(web: &Web, parts: &Parts) -> Bill {
         .collect();
     let (mut web_rope_mass, mut traction_mass, mut rope_volume) = (0.0, 0.0, 0.0);
     let mut is_tied = vec![false; web.knots.len()];
-    for (rope, &kind) in web.ropes.iter().zip(&parts.kind_of_rope) {
-        let length = web.rest_length(rope);
+    let mut length_by_class = BTreeMap::new();
+    for ((rope, &kind), &length) in web.ropes.iter().zip(&parts.kind_of_rope).zip(&parts.rest_lengths) {
+        *length_by_class.entry(rope.class.clone()).or_insert(0.0) += length;
         let RopeKind { diameter, mass_per_metre, .. } = parts.ropes[kind];
         lines[kind].length += length;
         lines[kind].mass += mass_per_metre * length;
@@ -137,7 +140,7 @@ pub fn bill(web: &Web, parts: &Parts) -> Bill {
     let solid_volume = rope_volume + canopies as f64 * parts.canopy.volume + payloads as f64 * parts.payload.volume;
     Bill {
         ropes: lines,
-        length_by_class: web.rope_length_by_class(),
+        length_by_class,
         knots: is_tied.iter().filter(|&&tied| tied).count(),
         rope_count: web.ropes.len(),
         canopies,
@@ -168,6 +171,7 @@ mod tests {
         Parts {
             ropes: vec![rope()],
             kind_of_rope: vec![0; web.ropes.len()],
+            rest_lengths: web.ropes.iter().map(|rope| web.rest_length(rope)).collect(),
             canopy: BillItem::default(),
             payload: BillItem::default(),
             tractor_masses: Vec::new(),

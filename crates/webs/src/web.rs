@@ -175,4 +175,14 @@ impl Web {
             .map(|knot| (self.knots[knot].position - self.middle).truncate().length())
             .fold(0.0, f64::max)
     }
+
+    /// How far the web reaches in any direction, m: the largest distance of a knot from the middle, or half of its longest
+    /// rope where that is more. Traction ropes and their tractors are left out.
+    pub fn reach(&self) -> f64 {
+        let is_traction = |rope: &&Rope| rope.class == Class::Traction;
+        let halves = self.ropes.iter().filter(|rope| !is_traction(rope)).map(|rope| 0.5 * self.rest_length(rope));
+        let on_traction_ropes = |knot: &usize| !self.traction.is_empty() && self.tractors.contains(knot);
+        let knots = (0..self.knots.len()).filter(|knot| !on_traction_ropes(knot));
+        knots.map(|knot| self.knots[knot].position.distance(self.middle)).chain(halves).fold(0.0, f64::max)
+    }
 }

@@ -7,15 +7,42 @@ use super::contract::{Effect, Forces, Net, Now, Resting};
 use super::elements::{self, Elements};
 use crate::channel::{ByChannel, Channel};
 use crate::forces::element::Element;
+use crate::forces::segment::Segment;
 use crate::parts::{PartKind, SystemError, SystemParts};
 use crate::state::State;
 
-/// Bends in motion.
+/// Bends in motion: inside ropes, and at clamped ends.
 #[derive(Debug, Clone)]
 pub(super) struct Bends {
-    elements: Elements<3>,
-    /// The bends over each segment that has some.
+    inside: OverSegments<3>,
+    clamped: OverSegments<2>,
+}
+
+/// Elements, each of which leaves with the first of the segments under it that breaks.
+#[derive(Debug, Clone)]
+struct OverSegments<const N: usize> {
+    elements: Elements<N>,
+    /// The elements over each segment that has some.
     over: BTreeMap<usize, Vec<usize>>,
+}
+
+impl<const N: usize> OverSegments<N> {
+    fn new<E: Element<N>>(elements: &[E], segments: &[Segment]) -> Self {
+        let nodes: Vec<[usize; N]> = elements.iter().map(Element::nodes).collect();
+        OverSegments { over: over(segments, &nodes), elements: Elements::new(nodes) }
+    }
+
+    /// Takes out the elements over a segment that breaks. Returns the energy that they held, J.
+    fn part<E: Element<N>>(&mut self, elements: &[E], segment: usize) -> f64 {
+        let leaving = self.over.get(&segment).into_iter().flatten();
+        leaving.filter_map(|&index| Some(elements[index].elastic_energy(self.elements.leave(index)?))).sum()
+    }
+
+    fn gone(&mut self, segment: usize) {
+        for &index in self.over.get(&segment).into_iter().flatten() {
+            self.elements.remove(index);
+        }
+    }
 }
 
 impl Effect for Bends {
@@ -24,16 +51,18 @@ impl Effect for Bends {
     type Memory = ();
 
     fn of(parts: &SystemParts) -> Option<Self> {
-        let elements = || Elements::new(parts.bends.iter().map(Element::nodes).collect());
-        (!parts.bends.is_empty()).then(|| Bends { elements: elements(), over: bends_over(parts) })
+        let SystemParts { bends, clamps, segments, .. } = parts;
+        let some = !(bends.is_empty() && clamps.is_empty());
+        some.then(|| Bends { inside: OverSegments::new(bends, segments), clamped: OverSegments::new(clamps, segments) })
     }
 
     fn check(parts: &SystemParts) -> Result<(), SystemError> {
-        elements::check(PartKind::Bend, &parts.bends, parts.mass.len())
+        elements::check(PartKind::Bend, &parts.bends, parts.mass.len())?;
+        elements::check(PartKind::Clamp, &parts.clamps, parts.mass.len())
     }
 
     fn nodes(parts: &SystemParts, act_on: &mut dyn FnMut(usize)) {
-        for node in parts.bends.iter().flat_map(Element::nodes) {
+        for node in parts.bends.iter().flat_map(Element::nodes).chain(parts.clamps.iter().flat_map(Element::nodes)) {
             act_on(node);
         }
     }
@@ -46,10 +75,14 @@ impl Effect for Bends {
         for (index, bend) in parts.bends.iter().enumerate() {
             bound.add_element(bend, Stiff::Effect { name: Self::NAME, index: Some(index) });
         }
+        for clamp in &parts.clamps {
+            bound.add_element(clamp, Stiff::Effect { name: Self::NAME, index: None });
+        }
     }
 
     fn at_rest(parts: &SystemParts, _: &Resting, rest: &mut SystemParts) {
         rest.bends = parts.bends.clone();
+        rest.clamps = parts.clamps.clone();
     }
 
     fn joins(parts: &SystemParts, join: &mut dyn FnMut(usize, usize)) {
@@ -60,44 +93,44 @@ impl Effect for Bends {
     }
 
     fn act<N: Net>(&mut self, now: &Now, _: &N, out: &mut Forces) {
-        let (bends, seen) = (&now.parts.bends, now.seen);
-        let work = self.elements.pull(now.team, |i, x, w| bends[i].pull(x, w), |node| seen[node], &mut out.force);
-        out.work[Channel::RopeDamping] += work;
+        let (SystemParts { bends, clamps, .. }, seen) = (now.parts, |node: usize| now.seen[node]);
+        let of_bend = |i: usize, x, w| bends[i].pull(x, w);
+        out.work[Channel::RopeDamping] += self.inside.elements.pull(now.team, of_bend, seen, &mut out.force);
+        let of_clamp = |i: usize, x, w| clamps[i].pull(x, w);
+        out.work[Channel::RopeDamping] += self.clamped.elements.pull(now.team, of_clamp, seen, &mut out.force);
     }
 
     fn part(&mut self, parts: &SystemParts, segment: usize, work: &mut ByChannel) {
-        for &bend in self.over.get(&segment).into_iter().flatten() {
-            if let Some(place) = self.elements.leave(bend) {
-                work[Channel::Rupture] += parts.bends[bend].elastic_energy(place);
-            }
-        }
+        work[Channel::Rupture] += self.inside.part(&parts.bends, segment);
+        work[Channel::Rupture] += self.clamped.part(&parts.clamps, segment);
     }
 
     fn gone(&mut self, _: &SystemParts, segment: usize) {
-        for &bend in self.over.get(&segment).into_iter().flatten() {
-            self.elements.remove(bend);
-        }
+        self.inside.gone(segment);
+        self.clamped.gone(segment);
     }
 
     fn moved(&mut self, _: &Now, _: &dyn Fn(usize) -> crate::moving::Moving, _: &mut Forces) {
-        self.elements.remove_leaving();
+        self.inside.elements.remove_leaving();
+        self.clamped.elements.remove_leaving();
     }
 
     fn stored(&self, parts: &SystemParts, state: &State, stored: &mut ByChannel) {
-        stored[Channel::Elastic] += self.elements.stored(&parts.bends, &state.position);
+        stored[Channel::Elastic] += self.inside.elements.stored(&parts.bends, &state.position);
+        stored[Channel::Elastic] += self.clamped.elements.stored(&parts.clamps, &state.position);
     }
 }
 
-/// The bends over each segment. Where several segments join two nodes of a bend the first is the piece of its rope.
-fn bends_over(parts: &SystemParts) -> BTreeMap<usize, Vec<usize>> {
+/// The elements over each segment: those whose nodes, in their order, it joins. Where several segments join two nodes the
+/// first is the piece of the rope.
+fn over<const N: usize>(segments: &[Segment], elements: &[[usize; N]]) -> BTreeMap<usize, Vec<usize>> {
     let (mut between, mut over) = (BTreeMap::new(), BTreeMap::<usize, Vec<usize>>::new());
-    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-    for (index, segment) in parts.segments.iter().enumerate() {
-        between.entry(sorted(segment.ends)).or_insert(index);
+    let sorted = |a: usize, b: usize| [a.min(b), a.max(b)];
+    for (index, Segment { ends: [a, b], .. }) in segments.iter().enumerate() {
+        between.entry(sorted(*a, *b)).or_insert(index);
     }
-    for (index, bend) in parts.bends.iter().enumerate() {
-        let [before, at, after] = bend.nodes();
-        for segment in [[before, at], [at, after]].into_iter().filter_map(|ends| between.get(&sorted(ends))) {
+    for (index, nodes) in elements.iter().enumerate() {
+        for segment in nodes.windows(2).filter_map(|ends| between.get(&sorted(ends[0], ends[1]))) {
             over.entry(*segment).or_default().push(index);
         }
     }

@@ -59,6 +59,76 @@ impl Bending {
     }
 }
 
+/// The bending element at a clamped end of a rope: between a direction that stays fixed in space and the first segment.
+///
+/// The clamp has half a segment of rope to bend, so its angular stiffness is 2 EI / l: then sums over the nodes are the
+/// trapezoidal rule along the rope, and a cantilever's deflection is of second order in l, as inside a rope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clamp {
+    nodes: [usize; 2],
+    /// The first segment as the clamp holds it, m.
+    held: DVec3,
+    fold: Fold,
+    stiffness: f64,
+    damping_time: f64,
+}
+
+impl Clamp {
+    /// The clamp of the first of two nodes along a rope. `direction`: of the rope at the clamp, away from it; any length.
+    /// `rest_length`: of the segment between the nodes, m. `bending_stiffness`: EI, N m^2. `damping_time`: damping over
+    /// stiffness, s.
+    ///
+    /// # Errors
+    /// A node that occurs twice; a direction without length; a property that is out of range or not a number.
+    pub fn new(
+        nodes: [usize; 2],
+        direction: DVec3,
+        rest_length: f64,
+        bending_stiffness: f64,
+        damping_time: f64,
+    ) -> Result<Self, ElementError> {
+        distinct(nodes)?;
+        positive(Property::RestLength, rest_length)?;
+        positive(Property::BendingStiffness, bending_stiffness)?;
+        not_negative(Property::DampingTime, damping_time)?;
+        positive(Property::Edge, direction.length())?;
+        let angular = 2.0 * bending_stiffness / rest_length;
+        // against a direction that is fixed, the second derivative is largest in line with it where the parabola of the
+        // short segment begins: r'^2 - (1 - r) r'' = 1 + 2/4, over that of a collapsed segment
+        Ok(Self {
+            nodes,
+            held: direction / direction.length() * rest_length,
+            fold: Fold::new(angular, damping_time, [rest_length; 2]),
+            stiffness: 1.5 * SHARPEST * angular / (rest_length * rest_length),
+            damping_time,
+        })
+    }
+}
+
+impl Element<2> for Clamp {
+    fn nodes(&self) -> [usize; 2] {
+        self.nodes
+    }
+
+    fn pull(&self, [a, b]: [DVec3; 2], [of_a, of_b]: [DVec3; 2]) -> ElementForces<2> {
+        let (elastic, dissipative) = self.fold.pull([self.held, b - a], [DVec3::ZERO, of_b - of_a]);
+        let on_nodes = |[_, second]: [DVec3; 2]| [-second, second];
+        ElementForces { elastic: on_nodes(elastic), dissipative: on_nodes(dissipative) }
+    }
+
+    fn elastic_energy(&self, [a, b]: [DVec3; 2]) -> f64 {
+        self.fold.energy([self.held, b - a])
+    }
+
+    fn stiffness(&self) -> [f64; 2] {
+        [self.stiffness; 2]
+    }
+
+    fn damping(&self) -> [f64; 2] {
+        [self.stiffness * self.damping_time; 2]
+    }
+}
+
 /// Largest stiffness in any shape, over that of the straight rope. It occurs where segments have shortened to nothing.
 const SHARPEST: f64 = 1.0 / (FLOOR * FLOOR);
 
@@ -154,7 +224,36 @@ mod tests {
         assert!(Bending::new([0, 1, 2], [1.0, 1.0], 1.0, f64::NAN).is_err());
     }
 
+    #[test]
+    fn a_clamp_stores_2_k_times_one_minus_the_cosine_of_its_angle() {
+        for angle in [0.0, 1e-3, -0.4, 1.0, 2.0, std::f64::consts::PI] {
+            let (clamp, x) = clamped(0.5, angle);
+            let expected = 4.0 * BENDING_STIFFNESS / 0.5 * libm::pow(libm::sin(0.5 * angle), 2.0);
+            assert!((clamp.elastic_energy(x) - expected).abs() < 1e-13, "{angle}");
+        }
+        assert!(Clamp::new([0, 1], DVec3::ZERO, 0.5, BENDING_STIFFNESS, 0.0).is_err());
+    }
+
+    /// A clamp along x, and its nodes with a segment of this length, m, at this angle, rad.
+    fn clamped(length: f64, angle: f64) -> (Clamp, [DVec3; 2]) {
+        let clamp = Clamp::new([0, 1], DVec3::X, 0.5, BENDING_STIFFNESS, 0.02).unwrap();
+        let (sin, cos) = libm::sincos(angle);
+        (clamp, [DVec3::ONE, DVec3::ONE + length * DVec3::new(cos, sin, 0.0)])
+    }
+
     proptest! {
+        #[test]
+        fn the_force_of_a_clamp_is_the_gradient_of_its_energy_within_its_bound(
+            x in prop::array::uniform2(point(0.7)),
+            length in 0.0..1.0,
+            angle in 0.0..3.2,
+        ) {
+            let (clamp, bent) = clamped(length, angle);
+            conformance::force_is_the_gradient(&clamp, x, 1e-5, 100.0 * BENDING_STIFFNESS, 1e-6);
+            prop_assert!(conformance::used_bound(&clamp, bent, 1e-6) < 1.0 + 1e-6);
+            prop_assert!(conformance::used_damping_bound(&clamp, bent) < 1.0 + 1e-9);
+        }
+
         #[test]
         fn the_bound_holds_where_segments_fold_and_collapse(
             first in 0.0..1.3,

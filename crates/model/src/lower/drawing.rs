@@ -13,7 +13,7 @@ use netcast_webs::{
 use super::places;
 use super::size::Size;
 
-/// Segments along the radius of a web by default.
+/// Segments along half the extent of a web by default.
 const SEGMENTS_PER_RADIUS: f64 = 25.0;
 
 /// Draws and cuts the web. Writes a default segment length into `scenario`.
@@ -31,7 +31,7 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
         (Some(length), _) => length,
         (None, Some(length)) => length.si(),
         (None, None) => {
-            let length = two_digits(web.radius() / SEGMENTS_PER_RADIUS);
+            let length = two_digits(web.reach() / SEGMENTS_PER_RADIUS);
             scenario.solve.segment_length = Some(Length::constant(length));
             notes.push(format!("ropes are cut into segments of about {length} m, as solve.segment_length is left out"));
             length

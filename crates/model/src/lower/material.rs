@@ -1,11 +1,10 @@
 //! Stiffness, damping and mass of ropes, canopies and bodies: the segments of the system and the masses of its nodes.
 
-use netcast_dynamics::forces::bending::Bending;
 use netcast_dynamics::forces::breaking::Breaking;
 use netcast_dynamics::forces::law::Law;
 use netcast_dynamics::forces::rope_tension::{damping_from_ratio, damping_from_time};
 use netcast_dynamics::system::Segment;
-use netcast_scenario::{Canopy, Damping, Diagnostics, Rope, RopeRow, Scenario};
+use netcast_scenario::{Canopy, Damping, Diagnostics, Document, Rope, RopeRow, Scenario};
 use netcast_webs::{BillItem, Class, CutSegment, CutWeb, Parts, RopeKind, bill};
 
 use super::assignment::{self, rings};
@@ -15,7 +14,7 @@ use super::{canopy_links, rope_law};
 
 /// The links of a web, in its order; `members` and `groups` are those of its model.
 pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> Vec<Link> {
-    let rings = rings(web);
+    let (rings, lengths) = (rings(web), rest_lengths(web.ropes.len(), members));
     let first_pieces = members.iter().filter_map(|member| match member.part {
         Part::Rope(CutSegment { place: 0, rope, .. }) => Some((rope, member.segment.group)),
         _ => None,
@@ -25,9 +24,22 @@ pub fn links(web: &netcast_webs::Web, members: &[Member], groups: &[Group]) -> V
         class: web.ropes[rope].class.clone(),
         ring: rings[rope],
         rope: groups[group].rope.clone().unwrap_or_default(),
-        length: web.rest_length(&web.ropes[rope]),
+        length: lengths[rope],
     };
     first_pieces.map(link).collect()
+}
+
+/// Rest length of each rope of a web, m, (ropes,): of its segments, which a pretension shortens.
+pub fn rest_lengths(ropes: usize, members: &[Member]) -> Vec<f64> {
+    let (mut first, mut count) = (vec![0.0; ropes], vec![0.0; ropes]);
+    for member in members {
+        if let Part::Rope(CutSegment { rope, .. }) = member.part {
+            first[rope] = member.segment.rest_length;
+            count[rope] += 1.0;
+        }
+    }
+    // the segments of a rope are equally long; the product has no rounding of a sum
+    first.iter().zip(count).map(|(length, count)| length * count).collect()
 }
 
 /// Finds each pair of link class and rope of the web, in order of class, with the law of the rope.
@@ -79,9 +91,14 @@ pub fn group_number(groups: &[Group], class: &Class, rope: Option<&str>) -> usiz
 }
 
 /// Makes the segments of the web's ropes, and puts their masses on its nodes.
+///
+/// # Errors
+/// A rope with a pretension, of which a row of the graph gives the rest length.
 pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
-    let Draft { document, scenario, cut, kinds, groups, members, parts, .. } = draft;
+    let Draft { document, scenario, cut, kinds, groups, members, parts, notes, .. } = draft;
     let (web, rows, known) = (&cut.web, assignment::rows(document), assignment::ropes(scenario));
+    refuse_pretension_of_measured_rows(document, kinds, &known)?;
+    notes.extend(without_pretension(web, kinds, &known));
     let group_of_rope: Vec<usize> =
         web.ropes.iter().zip(&*kinds).map(|(r, &kind)| group_number(groups, &r.class, Some(known[kind].0))).collect();
     parts.mass = vec![0.0; cut.nodes.len()];
@@ -99,32 +116,40 @@ pub fn ropes(draft: &mut Draft) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Adds a bend at every node inside a rope that has a bending stiffness. Knots turn freely.
-///
-/// # Errors
-/// A bending stiffness that the segments do not allow.
-pub fn bends(draft: &mut Draft) -> Result<(), Diagnostics> {
-    let Draft { document, scenario, cut, kinds, parts, .. } = draft;
-    let known = assignment::ropes(scenario);
+/// Refuses a pretension of a rope where a row gives the rest length: two values for one stretch.
+fn refuse_pretension_of_measured_rows(
+    document: &Document,
+    kinds: &[usize],
+    known: &[(&str, &Rope)],
+) -> Result<(), Diagnostics> {
     let mut found = Vec::new();
-    for (rope, &kind) in kinds.iter().enumerate() {
-        let (name, kind) = known[kind];
-        let Some(stiffness) = kind.bending_stiffness else { continue };
-        let Piece { rest_length, damping, stiffness: axial, .. } =
-            Piece::new(kind, &Law::Linear, cut.ropes[rope].segment_length, 0.0);
-        for nodes in cut.nodes_of(rope).windows(3) {
-            let nodes = [nodes[0], nodes[1], nodes[2]];
-            match Bending::new(nodes, [rest_length; 2], stiffness.si(), damping / axial) {
-                Ok(bend) => parts.bends.push(bend),
-                Err(error) => {
-                    let path = assignment::table_of(name).key("bending_stiffness");
-                    found.push(document.diagnostic(&path.to_string(), error.to_string()));
-                    break;
-                }
-            }
-        }
+    for (kind, (name, rope)) in known.iter().enumerate().filter(|(_, (_, rope))| rope.pretension.si() > 0.0) {
+        let measured = |(row, of): &(&RopeRow, &usize)| **of == kind && row.rest_length_m.is_some();
+        let Some((row, _)) = assignment::rows(document).iter().zip(kinds).find(measured) else { continue };
+        let path = assignment::table_of(name).key("pretension");
+        let message = format!(
+            "the rest length in line {} of web.graph.ropes says already how far this rope is stretched",
+            row.line
+        );
+        let help = format!("leave the pretension of {} N or that rest length out", rope.pretension.si());
+        found.push(document.diagnostic(&path.to_string(), message).with_help(help));
     }
     Diagnostics::fail_if_any(found)
+}
+
+/// A note on links that the web draws with a rest length of their own, so that the pretension of their rope does not act;
+/// none where there are none.
+fn without_pretension(web: &netcast_webs::Web, kinds: &[usize], known: &[(&str, &Rope)]) -> Option<String> {
+    let has_length = |(rope, kind): &(&netcast_webs::Rope, &usize)| {
+        rope.rest_length.is_some() && known[**kind].1.pretension.si() > 0.0
+    };
+    let count = web.ropes.iter().zip(kinds).filter(has_length).count();
+    let (first, _) = web.ropes.iter().zip(kinds).find(has_length)?;
+    Some(format!(
+        "the pretension does not act in {count} {} of a given length, such as {}",
+        if count == 1 { "rope" } else { "ropes" },
+        first.label
+    ))
 }
 
 /// Adds the masses of bodies and of a graph's nodes, and makes the rigid bodies of canopies.
@@ -144,7 +169,7 @@ pub fn masses(draft: &mut Draft) -> Result<(), Diagnostics> {
 
 /// Makes the bill of materials.
 pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
-    let Draft { scenario, cut, kinds, bodies, .. } = draft;
+    let Draft { scenario, cut, kinds, bodies, members, .. } = draft;
     let known = assignment::ropes(scenario);
     let cloth = canopy_of(scenario, cut).map(|canopy| canopy.mass_and_volume());
     let cloth = cloth.map_or(BillItem::default(), |(mass, volume)| BillItem { mass, volume });
@@ -153,7 +178,9 @@ pub fn list(draft: &mut Draft) -> Result<(), Diagnostics> {
     let payload = scenario
         .payload_solid()
         .map_or(BillItem::default(), |p| BillItem { mass: p.mass_kg, volume: p.shape.volume_m3() });
-    let mut parts = Parts { ropes: Vec::new(), kind_of_rope: Vec::new(), canopy: cloth, payload, tractor_masses };
+    let rest_lengths = rest_lengths(kinds.len(), members);
+    let (ropes, kind_of_rope) = (Vec::new(), Vec::new());
+    let mut parts = Parts { ropes, kind_of_rope, rest_lengths, canopy: cloth, payload, tractor_masses };
     for (name, rope) in kinds.iter().map(|&kind| known[kind]) {
         let kind = RopeKind {
             name: name.to_owned(),

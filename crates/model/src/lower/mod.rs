@@ -9,6 +9,7 @@ use netcast_scenario::Diagnostics;
 mod air;
 mod air_outline;
 mod assignment;
+mod bends;
 mod binding;
 mod bodies;
 mod canopies;
@@ -59,6 +60,7 @@ pub(crate) enum Stage {
     Laws,
     Ropes,
     Bends,
+    Clamps,
     Bodies,
     Canopies,
     Masses,
@@ -99,7 +101,7 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // ropes as segments with stiffness, damping and mass
     (Ropes, &[Laws], material::ropes),
     // where ropes resist bending
-    (Bends, &[Assignment], material::bends),
+    (Bends, &[Ropes], bends::bend),
     // payloads, sensor and tractors
     (Bodies, &[], material::place_bodies),
     // canopies as links, plates or sheets; adds nodes
@@ -107,7 +109,7 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     // masses of bodies and of a graph's nodes
     (Masses, &[Canopies], material::masses),
     // the bill of materials
-    (Bill, &[Assignment, Bodies], material::list),
+    (Bill, &[Ropes, Bodies], material::list),
     // positions of the nodes; leading a web into a container needs masses
     (Stowing, &[], stowing::stow),
     // forces on the nodes
@@ -124,6 +126,8 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     (Assembly, &[Masses, Stowing], system::assemble),
     // tractors as rigid bodies that ropes can turn; adds nodes
     (RigidBodies, &[Assembly, Throws, Held], bodies::make_rigid),
+    // ends of ropes that keep their direction
+    (Clamps, &[Ropes, Assembly], bends::clamp),
     // driven nodes count as held; a rigid body is driven at its centre
     (Hold, &[Assembly, Drives], drives::take_hold),
     // loads and throws of a tractor move to its centre

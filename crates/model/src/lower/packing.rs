@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use netcast_scenario::Rope;
 use netcast_webs::{Class, Closeness, PACKED_FILL, Size, closeness};
 
+use super::material::rest_lengths;
 use crate::Model;
 
 /// Figures of the packed web that its audit does not have.
@@ -29,8 +30,10 @@ impl Model {
         let nodes = self.state.position.iter().zip(is_web).filter(|(_, is_web)| *is_web);
         let room = Size::of(nodes.map(|(&node, _)| to_launch_frame * node)).volume();
         let diameters = self.rope_diameters();
-        let ropes = web.ropes.iter().zip(&diameters).filter(|(rope, _)| rope.class != Class::Traction);
-        let rope_volume: f64 = ropes.map(|(rope, d)| 0.25 * PI * d * d * web.rest_length(rope)).sum();
+        let lengths = rest_lengths(web.ropes.len(), &self.members);
+        let ropes = web.ropes.iter().zip(&diameters).zip(&lengths);
+        let ropes = ropes.filter(|((rope, _), _)| rope.class != Class::Traction);
+        let rope_volume: f64 = ropes.map(|((_, d), length)| 0.25 * PI * d * d * length).sum();
         let carried = self.bill.packed_volume * PACKED_FILL - self.bill.rope_volume;
         let over_room = |amount: f64| Some(amount / room).filter(|_| room > 0.0);
         Packing {

@@ -70,14 +70,19 @@ pub fn hold(draft: &mut Draft) -> Result<(), Diagnostics> {
             held[corner] = true;
         }
     }
-    for (index, id) in hold.nodes.iter().enumerate() {
+    for (list, index, id) in [("nodes", &hold.nodes), ("clamped", &hold.clamped)]
+        .into_iter()
+        .flat_map(|(list, ids)| ids.iter().enumerate().map(move |(index, id)| (list, index, id)))
+    {
         let is_bound = |knot: usize| bound.iter().flat_map(|bound| &bound.body.ties).any(|tie| tie.node == knot);
         match cut.web.knot_named(id) {
             Some(knot) if is_bound(knot) => {
                 let message = format!("{id:?} is a part of a rigid body, which cannot be held at one of its points");
-                found.push(document.diagnostic(&format!("hold.nodes.{index}"), message));
+                found.push(document.diagnostic(&format!("hold.{list}.{index}"), message));
             }
             Some(knot) => held[knot] = true,
+            // the stage of the clamps reports those that it does not know
+            None if list == "clamped" => {}
             None => found.push(unknown_knot(document, &format!("hold.nodes.{index}"), id, cut)),
         }
     }
