@@ -64,3 +64,51 @@ fn a_rope_with_a_strength_alone_has_a_margin_and_does_not_break() {
     assert!(run.summary.breaks.is_empty());
     assert!(run.summary.tension.by_class["weak link"].margin.unwrap() < 0.5);
 }
+
+/// A mass of 1 kg that hangs on two metres of rope in equilibrium, cut halfway after 50 ms.
+#[test]
+fn a_mass_falls_freely_from_the_time_at_which_its_rope_is_cut() {
+    let (cut_at, end) = (0.05, 0.25);
+    let scenario = format!(
+        "rope = {{ diameter = \"4 mm\", density = 1000, elastic_modulus = \"0.2 GPa\", damping_ratio = 0.05 }}\n\
+         environment = {{ gravity = 9.80665, damping = 0 }}\nrecord.every = \"10 ms\"\npoints.M = \"mass\"\n\
+         solve = {{ duration = {end}, segment_length = 0.25, static = {{ then_run = true, tolerance = 1e-9 }} }}\n\
+         [[cuts]]\nlink = \"inner\"\ntime = {cut_at}\n"
+    );
+    let nodes = "id,x,y,z,mass,fixed\ntop,0,0,0,0,1\nmass,0,0,-2,1,0\n";
+    let run = Run::graph(&scenario, nodes, "a,b,class\ntop,mass,inner\n");
+    let [told] = &run.summary.breaks[..] else { panic!("{:?}", run.summary.breaks) };
+    assert!(told.cut && told.released && told.place.starts_with("segment 5"), "{told:?}");
+    assert!((0.0..=run.summary.step.dt_s).contains(&(told.time_s - cut_at)), "{}", told.time_s);
+    assert_eq!(run.summary.tension.broken_segments, 0);
+
+    // the mass and the rope that is left below the cut fall freely; what the rope stretched by goes round in it, as a shiver
+    let fields = &run.fields;
+    let centre = |frame: usize| {
+        let (places, mass) = (fields.positions(frame), run.model.system.parts().mass.as_slice());
+        // the top and the last node above the cut stay
+        let below: Vec<usize> = (1..places.len()).filter(|&node| node == 1 || node > 5).collect();
+        let total: f64 = below.iter().map(|&node| mass[node]).sum();
+        below.iter().map(|&node| mass[node] * places[node].z).sum::<f64>() / total
+    };
+    let last = fields.times.len() - 1;
+    let fallen = centre(0) - centre(last);
+    let time = fields.times[last] - told.time_s;
+    println!("fallen {fallen:.6} m, freely {:.6} m", 0.5 * 9.80665 * time * time);
+    // its last tension acts for one step more, the same time as a step of the fall
+    assert_close("fall, m", fallen, 0.5 * 9.80665 * time * time, 3.0 * run.summary.step.dt_s / time);
+    assert!(run.summary.energy.closure < 3e-3, "{}", run.summary.energy.closure);
+}
+
+#[test]
+fn a_cut_names_a_link_that_the_web_has() {
+    let scenario = "rope = { diameter = \"4 mm\", density = 1000, elastic_modulus = \"1 GPa\" }\nsolve.duration = \"1 ms\"\n\
+                    [[cuts]]\nlink = \"iner\"\ntime = \"2 ms\"\n";
+    let refused = std::panic::catch_unwind(|| Run::graph(scenario, "id,x,y,z\na,0,0,0\nb,1,0,0\n", "a,b\na,b\n"));
+    let told = refused.err().and_then(|panic| panic.downcast_ref::<String>().cloned()).expect("a refusal");
+    assert!(told.contains("did you mean \"inner\"?") && told.contains("graph.toml:4"), "{told}");
+
+    let run = Run::graph(&scenario.replace("iner", "inner"), "id,x,y,z\na,0,0,0\nb,1,0,0\n", "a,b\na,b\n");
+    let notes = &run.model.notes;
+    assert!(run.summary.breaks.is_empty() && notes.iter().any(|note| note.contains("is not cut")), "{notes:?}");
+}

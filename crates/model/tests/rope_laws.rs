@@ -103,7 +103,7 @@ fn a_rope_breaks_at_the_load_and_strain_of_the_scenario() {
     let of_all = |more: &str| made(more).system.segments().iter().map(|s| s.breaking).collect::<Vec<Breaking>>();
     let never = Breaking::NEVER;
     assert!(of_all("strength = \"1 kN\"\n").iter().all(|b| *b == never), "a strength alone states margins");
-    let at = |load: f64, strain: f64| Breaking { load, strain };
+    let at = |load: f64, strain: f64| Breaking { load, strain, ..Breaking::NEVER };
     let cases = [
         ("strength = \"1 kN\"\nbreaking = {}\n", at(1e3, f64::INFINITY)),
         ("strength = \"1 kN\"\nbreaking.load = \"2 kN\"\n", at(2e3, f64::INFINITY)),

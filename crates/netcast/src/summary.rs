@@ -44,14 +44,16 @@ pub(crate) fn summary(model: &Model, dt: f64, rest: Option<&Rest>, outcome: &Out
 /// A break, with the labels of segment and link class.
 fn broken_segment(model: &Model, broken: &Break) -> BrokenSegment {
     let &Break { segment, step: _, time, tension } = broken;
-    let class = &model.groups[model.system.segments()[segment].group].class;
+    let broken = &model.system.segments()[segment];
+    let (class, cut) = (&model.groups[broken.group].class, time >= broken.breaking.cut_at);
     BrokenSegment {
         time_s: time,
         place: model.segment_label(segment),
         segment,
         class: class.name().to_owned(),
         tension_n: tension,
-        released: class.is_made_to_break(),
+        released: cut || class.is_made_to_break(),
+        cut,
     }
 }
 

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::{Body, BodyDefaults, Solid};
 use crate::canopy::Canopy;
 use crate::cover::Cover;
+use crate::cut::Cut;
 use crate::drive::Drive;
 use crate::environment::Environment;
 use crate::hold::Hold;
@@ -70,6 +71,9 @@ pub struct Scenario {
     /// Rows of threads that hold folds of rope together until they rip. Default: none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stitches: Vec<Stitching>,
+    /// Cuts through ropes at given times. Default: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cuts: Vec<Cut>,
     /// Nodes that are fixed in place. Default: none.
     pub hold: Option<Hold>,
     /// Forces on the web, by name. Default: none.

@@ -1,7 +1,7 @@
-//! Breaking of a segment, at a load or at a strain.
+//! Breaking of a segment, at a load, at a strain or at a time: a rope that is cut.
 //!
 //! ```text
-//! T > load   or   d > strain L0
+//! T > load   or   d > strain L0   or   t >= time of the cut
 //! ```
 //!
 //! The tension T of the step in which this first holds still acts, damping and all; from the next step on the segment is
@@ -15,27 +15,29 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The load and the strain at which a segment breaks.
+/// The load and the strain at which a segment breaks, and the time at which it is cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Breaking {
     /// Breaking load, N.
     pub load: f64,
     /// Breaking strain.
     pub strain: f64,
+    /// Time at which it is cut, s.
+    pub cut_at: f64,
 }
 
 impl Breaking {
     /// It never breaks.
-    pub const NEVER: Breaking = Breaking { load: f64::INFINITY, strain: f64::INFINITY };
+    pub const NEVER: Breaking = Breaking { load: f64::INFINITY, strain: f64::INFINITY, cut_at: f64::INFINITY };
 
     /// The length beyond which a segment breaks, m.
     pub fn length(&self, rest_length: f64) -> f64 {
         rest_length * (1.0 + self.strain)
     }
 
-    /// Whether a segment of this rest length breaks, m, at this tension, N, and length, m.
-    pub fn happens(&self, rest_length: f64, tension: f64, length: f64) -> bool {
-        tension > self.load || length > self.length(rest_length)
+    /// Whether a segment of this rest length breaks, m, at this time, s, tension, N, and length, m.
+    pub fn happens(&self, time: f64, rest_length: f64, tension: f64, length: f64) -> bool {
+        tension > self.load || length > self.length(rest_length) || time >= self.cut_at
     }
 }
 

@@ -49,10 +49,14 @@ impl SystemParts {
                     return Err(SystemError::Property { segment, what, value });
                 }
             }
-            let Breaking { load, strain } = s.breaking;
-            let most = [("breaking load, N", load), ("breaking strain", strain)];
+            let Breaking { load, strain, cut_at } = s.breaking;
             // infinite: it never breaks
-            if let Some((what, value)) = most.into_iter().find(|(_, value)| value.is_nan() || *value <= 0.0) {
+            let most = [
+                ("breaking load, N", load, load > 0.0),
+                ("breaking strain", strain, strain > 0.0),
+                ("time of the cut, s", cut_at, cut_at >= 0.0),
+            ];
+            if let Some((what, value, _)) = most.into_iter().find(|(_, _, holds)| !holds) {
                 return Err(SystemError::Property { segment, what, value });
             }
         }

@@ -282,12 +282,13 @@ impl Ropes {
         self.strength.remove(slot);
     }
 
-    /// Finds the segments that break under the tensions just computed. A block that does not break pays one comparison a step.
-    pub fn break_under_load(&mut self) {
-        if self.strength.holds(self.max_tension) {
+    /// Finds the segments that break at this time, s, under the tensions just computed. A block that does not break pays two
+    /// comparisons a step.
+    pub fn break_now(&mut self, time: f64) {
+        if self.strength.holds(time, self.max_tension) {
             return;
         }
-        for slot in self.strength.exceeded(&self.tension, &self.length).collect::<Vec<_>>() {
+        for slot in self.strength.exceeded(time, &self.tension, &self.length).collect::<Vec<_>>() {
             let (axial, memory) = (self.axial(slot), self.memory.get(slot).copied().unwrap_or_default());
             let energy = self.law.elastic_energy(self.length[slot] - axial.rest_length, &axial, &memory);
             self.failing.push(Failing { slot, tension: self.tension[slot], energy });

@@ -13,9 +13,17 @@ use crate::lanes::{max, sum};
 use crate::moving::StepFactors;
 
 impl Ropes {
-    /// Tensions, pulls and drag of all segments, `dt` being the step, s; `moved`, whether one has passed since the
-    /// forces before.
-    pub fn forces(&mut self, nodes: &Nodes, vectors: Vectors, dt: f64, moved: bool, air_now: Option<AirNow>) {
+    /// Tensions, pulls and drag of all segments at `time`, s, `dt` being the step, s; `moved`, whether one has passed since
+    /// the forces before.
+    pub fn forces(
+        &mut self,
+        nodes: &Nodes,
+        vectors: Vectors,
+        time: f64,
+        dt: f64,
+        moved: bool,
+        air_now: Option<AirNow>,
+    ) {
         // segments that broke before, drag, tension, segments that break now
         self.remove_failed(moved);
         if let Some(air_now) = air_now {
@@ -25,7 +33,7 @@ impl Ropes {
             Law::Linear => vectors.pull_segments(nodes, self, dt),
             _ => self.pull_by_law(nodes, dt, moved),
         }
-        self.break_under_load();
+        self.break_now(time);
     }
 
     /// The drag of all segments of the block.

@@ -120,7 +120,7 @@ impl<'a> Readable<'a> {
         self.work = ByChannel::default();
         self.work[Channel::RopeDamping] = lost_work(system, &before, &self.pulls);
         self.work[Channel::Air] = drag_all(system, self.time(), x, w, &self.ropes.broken, &mut self.drags);
-        self.failing = failing(system, &self.ropes, &mut self.pulls);
+        self.failing = failing(system, self.time(), &self.ropes, &mut self.pulls);
     }
 
     fn act(&mut self) {
@@ -194,12 +194,12 @@ fn moving(position: &[DVec3], velocity: &[DVec3], extrapolated: &[DVec3], node: 
 
 /// The segments that break under the tensions just computed, in the layout's order: the energy that breaking takes is added
 /// up in it.
-fn failing(system: &System, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize> {
+fn failing(system: &System, time: f64, ropes: &RopeState, pulls: &mut [Pull]) -> Vec<usize> {
     let mut failing = Vec::new();
     let slots = system.layout().blocks().iter().flat_map(|block| &block.slots);
     for index in slots.filter_map(|slot| slot.segment) {
         let (s, pull) = (&system.segments()[index], &mut pulls[index]);
-        if !ropes.broken[index] && s.breaking.happens(s.rest_length, pull.tension, pull.length) {
+        if !ropes.broken[index] && s.breaking.happens(time, s.rest_length, pull.tension, pull.length) {
             failing.push(index);
             // the work of its last tension is lost, so all of that tension is dissipative
             pull.dissipative = pull.tension;

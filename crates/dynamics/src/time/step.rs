@@ -280,7 +280,7 @@ impl<'a> Stepper<'a> {
         // ropes, block by block, after knots have received their new state
         self.team.for_each(&mut self.nodes, &mut self.ropes, |_, nodes, ropes| {
             nodes.receive_knots(sent);
-            ropes.forces(nodes, vectors, dt, moved, air_now);
+            ropes.forces(nodes, vectors, time, dt, moved, air_now);
         });
         self.moved = false;
         let Some(effects) = &mut self.effects else { return };

@@ -6,7 +6,7 @@
 //! lists the names.
 
 use netcast_scenario::path::Path;
-use netcast_scenario::{Diagnostics, Document, Rope, RopeRow, Scenario, nearest};
+use netcast_scenario::{Diagnostic, Diagnostics, Document, Rope, RopeRow, Scenario, nearest};
 use netcast_webs::{Class, Pieces, Rope as Link, Web};
 
 use super::draft::Draft;
@@ -83,25 +83,44 @@ fn unknown_names(
 ) -> Result<(), Diagnostics> {
     let mut found = Vec::new();
     for name in scenario.assign.keys() {
-        let is_named = |(link, others): (&Link, &[Option<String>; 3])| {
-            link.label == *name || others.iter().flatten().any(|other| other == name)
-        };
-        if web.ropes.iter().zip(names).any(is_named) {
-            continue;
+        if named(web, names, name).next().is_none() {
+            let path = Path::default().key("assign").key(name);
+            found.push(unknown_link(document, &path, web, names, name));
         }
-        let mut classes: Vec<&Class> = web.ropes.iter().map(|link| &link.class).collect();
-        classes.sort();
-        classes.dedup();
-        let classes: Vec<&str> = classes.into_iter().map(Class::name).collect();
-        let known = names.iter().flatten().flatten().map(String::as_str);
-        let near = nearest(name, classes.iter().copied().chain(known).chain(web.ropes.iter().map(|l| &l.label[..])));
-        let near = near.map_or(String::new(), |near| format!("did you mean {near:?}? "));
-        let message = format!("this web has no link class {name:?}, nor a ring or link of that name");
-        let path = Path::default().key("assign").key(name);
-        let help = format!("{near}it has: {}; `netcast check --links` lists every link", classes.join(", "));
-        found.push(document.written.at_value(&path, message).with_help(help));
     }
     Diagnostics::fail_if_any(found)
+}
+
+/// The links that a name stands for: of one link, of a double link, of a ring or of a class.
+fn named<'n>(web: &'n Web, names: &'n [[Option<String>; 3]], name: &'n str) -> impl Iterator<Item = usize> + 'n {
+    let is_named = move |(link, others): (&Link, &[Option<String>; 3])| {
+        link.label == name || others.iter().flatten().any(|other| other == name)
+    };
+    web.ropes.iter().zip(names).enumerate().filter(move |(_, link)| is_named(*link)).map(|(index, _)| index)
+}
+
+/// The links that `name` stands for at `path`, ascending.
+///
+/// # Errors
+/// A name that the web does not have.
+pub fn links_named(document: &Document, path: &Path, web: &Web, name: &str) -> Result<Vec<usize>, Diagnostic> {
+    let names: Vec<_> = web.ropes.iter().zip(rings(web)).map(|(link, ring)| names(link, ring)).collect();
+    let links: Vec<usize> = named(web, &names, name).collect();
+    if links.is_empty() { Err(unknown_link(document, path, web, &names, name)) } else { Ok(links) }
+}
+
+/// The diagnostic that the web has no link, ring or class of a name, with the nearest name as help.
+fn unknown_link(document: &Document, path: &Path, web: &Web, names: &[[Option<String>; 3]], name: &str) -> Diagnostic {
+    let mut classes: Vec<&Class> = web.ropes.iter().map(|link| &link.class).collect();
+    classes.sort();
+    classes.dedup();
+    let classes: Vec<&str> = classes.into_iter().map(Class::name).collect();
+    let known = names.iter().flatten().flatten().map(String::as_str);
+    let near = nearest(name, classes.iter().copied().chain(known).chain(web.ropes.iter().map(|l| &l.label[..])));
+    let near = near.map_or(String::new(), |near| format!("did you mean {near:?}? "));
+    let message = format!("this web has no link class {name:?}, nor a ring or link of that name");
+    let help = format!("{near}it has: {}; `netcast check --links` lists every link", classes.join(", "));
+    document.written.at_value(path, message).with_help(help)
 }
 
 /// The ring number of each link, from 1 in the middle, (links,); none for links of other classes. A ring is a connected

@@ -15,6 +15,7 @@ mod bodies;
 mod canopies;
 mod canopy_links;
 mod canopy_parts;
+mod cuts;
 mod draft;
 mod drawing;
 mod drives;
@@ -61,6 +62,7 @@ pub(crate) enum Stage {
     Ropes,
     Bends,
     Clamps,
+    Cuts,
     Bodies,
     Canopies,
     Masses,
@@ -102,6 +104,8 @@ pub(crate) const STAGES: &[(Stage, &[Stage], Make)] = &[
     (Ropes, &[Laws], material::ropes),
     // where ropes resist bending
     (Bends, &[Ropes], bends::bend),
+    // ropes that are cut at a time
+    (Cuts, &[Ropes], cuts::cut),
     // payloads, sensor and tractors
     (Bodies, &[], material::place_bodies),
     // canopies as links, plates or sheets; adds nodes

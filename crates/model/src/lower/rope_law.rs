@@ -61,5 +61,5 @@ pub fn breaking(rope: &Rope, law: &Law, knotted: bool) -> Breaking {
     let asked = rope.breaking;
     let load = asked.and_then(|breaking| breaking.load).map_or(f64::INFINITY, |load| left * load.si());
     let strain = asked.and_then(|breaking| breaking.strain).map_or(f64::INFINITY, |strain| strain.si());
-    Breaking { load, strain: strain.min(end_of_table) }
+    Breaking { load, strain: strain.min(end_of_table), ..Breaking::NEVER }
 }

@@ -35,6 +35,7 @@ pub fn words(summary: &Summary) -> Vec<String> {
             effective_opening,
             target,
             let_go,
+            cut,
             broken,
             hardest_pull,
             worst_rope,
@@ -217,9 +218,19 @@ fn broken(summary: &Summary) -> Option<String> {
     })
 }
 
+/// Ropes that were cut.
+fn cut(summary: &Summary) -> Option<String> {
+    let cuts: Vec<String> = summary.breaks.iter().filter(|one| one.cut).map(break_in_words).collect();
+    Some(match cuts.len() {
+        0 => return None,
+        1 => format!("One rope is cut: {}.", cuts[0]),
+        more => format!("{more} ropes are cut, the first of them {}.", cuts[0]),
+    })
+}
+
 /// Break ties and stitches.
 fn let_go(summary: &Summary) -> Option<String> {
-    let ties = breaks(summary, true);
+    let ties: Vec<&BrokenSegment> = breaks(summary, true).into_iter().filter(|one| !one.cut).collect();
     let (first, last) = (break_in_words(ties.first()?), break_in_words(ties.last()?));
     let (one, several) = match ["tie", "stitch"].map(|class| ties.iter().all(|tie| tie.class == class)) {
         [true, _] => ("tie", "ties"),

@@ -106,6 +106,8 @@ pub struct BrokenSegment {
     pub class: String,
     /// Tension at the break, N.
     pub tension_n: f64,
-    /// Whether it is made to break: a break tie, a tear stitch.
+    /// Whether it is made to break: a break tie, a tear stitch, a rope that is cut.
     pub released: bool,
+    /// Whether it is cut, by `[[cuts]]`.
+    pub cut: bool,
 }

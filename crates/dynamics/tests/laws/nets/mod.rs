@@ -259,6 +259,7 @@ pub fn any_net_of_any_law(damping_ratio: f64) -> impl Strategy<Value = Net> {
             segment.breaking = match strength {
                 0 => Breaking { load: 200.0, ..Breaking::NEVER },
                 1 => Breaking { strain: 0.03, ..Breaking::NEVER },
+                2 => Breaking { cut_at: 1e-3, ..Breaking::NEVER },
                 _ => Breaking::NEVER,
             };
         }
