@@ -8,7 +8,7 @@ use netcast_dynamics::simulate::{Frame, Live, Observer, Outcome, Schedule, resum
 use netcast_dynamics::snapshot::Snapshot;
 use netcast_dynamics::state::State;
 use netcast_model::Model;
-use netcast_results::{Checkpoint, CheckpointEvery, Recorder, ResultError, Series, Summary};
+use netcast_results::{Checkpoint, CheckpointEvery, EnergyTolerance, Recorder, ResultError, Series, Summary};
 use netcast_scenario::{OnEnergyError, Solve};
 
 use crate::case::Case;
@@ -167,7 +167,8 @@ impl<'c> Start<'c> {
             Some(checkpoint) => resume(&model.system, &checkpoint.snapshot, &schedule, threads, &mut watched),
         };
         let solve = &model.scenario.solve;
-        let tolerance = (solve.energy_tolerance.si(), solve.web_energy_tolerance.si());
+        let (of_total, of_web) = (solve.energy_tolerance.si(), solve.web_energy_tolerance.si());
+        let tolerance = EnergyTolerance { of_total, of_web };
         let series = watched.recorder.take_series();
         let measured = watched.recorder.finish(&outcome, tolerance)?;
         Ok(Ended { model, schedule, rest, outcome, measured, series })

@@ -60,8 +60,8 @@ impl Ended<'_> {
     pub fn verdict(&self, second: Option<&SecondRun>) -> (Option<Failure>, Vec<String>) {
         let (stopped, solve) = (&self.outcome.stopped, &self.model.scenario.solve);
         let unrest = self.rest.as_ref().and_then(|rest| rest.failure(self.model)).map(Failure::Stopped);
-        // a run that came apart says so, and what mends it
-        let missed = if self.came_apart() { None } else { self.unresolved().or_else(|| self.unbalanced()) };
+        // a run that diverged says so, and what mends it
+        let missed = if self.diverged() { None } else { self.unresolved().or_else(|| self.unbalanced()) };
         let stopped = stopped.as_ref().filter(|error| !matches!(error, StepError::Exceeded(_)));
         let stopped = unrest.or(stopped.map(|error| Failure::Stopped(in_words(self.model, error))));
         let mut warnings: Vec<String> = second.map(|second| second.why.clone()).into_iter().collect();
@@ -133,7 +133,7 @@ impl Ended<'_> {
             return None;
         }
         let (step_fraction, what) = match self.unresolved().or_else(|| self.unbalanced()) {
-            _ if self.came_apart() => (0.25 * self.fraction(), "the run came apart".to_owned()),
+            _ if self.diverged() => (0.25 * self.fraction(), "the run diverged".to_owned()),
             Some(Failure::Unbalanced { smaller, what, found, asked, .. }) => {
                 (smaller, format!("{what} was {} %, at most {} % is allowed", percent(found), percent(asked)))
             }
@@ -152,7 +152,7 @@ impl Ended<'_> {
     }
 
     /// Whether its numbers grew without end.
-    fn came_apart(&self) -> bool {
+    fn diverged(&self) -> bool {
         matches!(self.outcome.stopped, Some(StepError::Diverged { .. } | StepError::NotFinite { .. }))
     }
 

@@ -59,7 +59,7 @@ pub use landmarks::{
     BodyKind, BodyMark, BodyShape, CanopyMark, Group, Landmark, Landmarks, LinkClass, NamedRope, Support,
 };
 pub use manifest::{Machine, Manifest, hash, hash_files};
-pub use measures::{Measures, OPEN_SHARE};
+pub use measures::{EnergyTolerance, Measures, OPEN_SHARE};
 pub use quantities::{SECTIONS, Section, expected, leaves, quantities, quantity_at};
 pub use quantity::{Better, Dimension, Quantity};
 pub use recorder::{Checkpoints, Recorder};

@@ -14,7 +14,7 @@ use netcast_dynamics::system::System;
 
 use crate::checkpoint::{Checkpoint, CheckpointEvery, SecondRun};
 use crate::landmarks::Landmarks;
-use crate::measures::{MeasuredNet, Measures, WebState};
+use crate::measures::{EnergyTolerance, MeasuredNet, Measures, WebState};
 use crate::row::{ClassTensions, RowLayout, RunRecord};
 use crate::series::Series;
 use crate::stream::Stream;
@@ -233,11 +233,11 @@ impl<'r> Recorder<'r> {
     }
 
     /// Ends the recording with how the run ended, and closes its files. Returns the sections of the summary that are
-    /// measured. `tolerance` is what the balance was asked to reach, closure and closure of the web.
+    /// measured. `tolerance` is what the balance was asked to reach.
     ///
     /// # Errors
     /// The first one that came up while recording.
-    pub fn finish(self, outcome: &Outcome, tolerance: (f64, f64)) -> Result<Summary, ResultError> {
+    pub fn finish(self, outcome: &Outcome, tolerance: EnergyTolerance) -> Result<Summary, ResultError> {
         if let Some(error) = self.error {
             return Err(error);
         }

@@ -185,7 +185,7 @@ impl RowLayout {
         let RunRecord { landmarks, frame, .. } = record;
         let mut row: Vec<Option<f64>> = RUN.iter().map(|(_, value)| value(record)).collect();
         let points: Vec<PointRecord> =
-            landmarks.points.iter().enumerate().map(|of| PointRecord::new(record, of)).collect();
+            landmarks.points.iter().enumerate().map(|(index, point)| PointRecord::new(record, index, point)).collect();
         for at in &points {
             row.extend(POINT.iter().map(|(_, value)| value(at)));
         }
@@ -219,7 +219,7 @@ pub(crate) fn channels() -> impl Iterator<Item = &'static str> {
 }
 
 impl<'r> PointRecord<'r> {
-    fn new(run: &'r RunRecord<'r>, (index, point): (usize, &'r Landmark)) -> Self {
+    fn new(run: &'r RunRecord<'r>, index: usize, point: &'r Landmark) -> Self {
         let place = mean(&point.nodes, |node| run.frame.position[node]);
         let travel = run.at_steps.displacement(index, place).dot(run.landmarks.axis);
         PointRecord { run, point, index, place, travel }

@@ -45,6 +45,15 @@ pub(crate) use web::WebState;
 
 use glam::DVec3;
 
+/// The largest residual of the energy balance that was asked for, as shares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergyTolerance {
+    /// Over the largest total energy.
+    pub of_total: f64,
+    /// Over the web's largest energy.
+    pub of_web: f64,
+}
+
 /// What of a system the measures go by.
 #[derive(Debug)]
 pub(crate) struct MeasuredNet {
@@ -143,8 +152,8 @@ impl Measures {
     }
 
     /// The sections of the summary that are measured; the others are left open. `tolerance` is what the balance was
-    /// asked to reach, closure and closure of the web.
-    pub(crate) fn finish(self, of: &MeasuredNet, outcome: &Outcome, tolerance: (f64, f64)) -> Summary {
+    /// asked to reach.
+    pub(crate) fn finish(self, of: &MeasuredNet, outcome: &Outcome, tolerance: EnergyTolerance) -> Summary {
         let places = self.at_checks.places(&of.landmarks, &of.web_mass, &self.moments());
         let Self { at_steps, at_checks, ropes, cloth, reactions, moments: _, rows: _, last_time: _, last_residual } =
             self;
@@ -165,8 +174,8 @@ impl Measures {
             channels: of.channels.iter().map(|&channel| (channel.name().to_owned(), ledger[channel])).collect(),
             residual_j: last_residual,
             largest_residual_j: balance.largest_residual(),
-            tolerance: tolerance.0,
-            tolerance_web: tolerance.1,
+            tolerance: tolerance.of_total,
+            tolerance_web: tolerance.of_web,
         };
         summary
     }
