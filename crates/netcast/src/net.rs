@@ -73,13 +73,13 @@ impl Link {
         Self { class: Some(class.into()), ..self }
     }
 
-    /// Sets its rest length, m.
+    /// Sets its rest length, m; not beside a tension as drawn.
     #[must_use]
     pub fn rest_length(self, length_m: f64) -> Self {
         Self { rest_length_m: Some(length_m), ..self }
     }
 
-    /// Sets its tension as drawn, N.
+    /// Sets its tension as drawn, N; not beside a rest length.
     #[must_use]
     pub fn pretension(self, tension_n: f64) -> Self {
         Self { pretension_n: Some(tension_n), ..self }

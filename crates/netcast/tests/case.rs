@@ -162,14 +162,15 @@ fn all_that_is_said_of_a_node_or_a_rope_arrives() {
     let far = "b, the \"second\"";
     let nodes =
         [Node::at("a", [0.1, -2.0, 1e-7]).mass(3.0).velocity([4.0, 5.0, 6.0]), Node::at(far, [1.0, 0.0, 0.0]).fixed()];
-    let rope = Link::between("a", far).rope("thick").class("mine").rest_length(1.5).pretension(2.5).segments(3);
-    let case = Case::new(Web::graph(nodes, [rope])).rope(Rope::new(0.002, 1000.0, 1e9)).duration(0.01);
+    let rope = Link::between("a", far).rope("thick").class("mine").rest_length(1.5).segments(3);
+    let taut = Link::between("a", far).pretension(2.5);
+    let case = Case::new(Web::graph(nodes, [rope, taut])).rope(Rope::new(0.002, 1000.0, 1e9)).duration(0.01);
     let case = case.other_rope("thick", Rope::new(0.004, 1000.0, 1e9)).build().unwrap();
     let graph = case.document().files.graph.as_ref().unwrap();
     let (a, b, rope) = (&graph.nodes[0], &graph.nodes[1], &graph.ropes[0]);
     assert_eq!((&a.id[..], a.position_m, a.mass_kg), ("a", [0.1, -2.0, 1e-7], 3.0));
     assert_eq!((a.velocity_m_s, a.fixed, &b.id[..], b.fixed), ([4.0, 5.0, 6.0], false, far, true));
-    assert_eq!(rope.pretension_n, Some(2.5));
+    assert_eq!((graph.ropes[1].pretension_n, graph.ropes[1].rest_length_m), (Some(2.5), None));
     assert_eq!((rope.a, rope.b, rope.rope.as_deref(), rope.rest_length_m), (0, 1, Some("thick"), Some(1.5)));
     assert_eq!((rope.class.as_ref().unwrap().name(), rope.segments.unwrap().get()), ("mine", 3));
 }
