@@ -1,11 +1,11 @@
 //! Errors of commands: their text for the user and their exit status.
 
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use netcast::results::{ResultError, visible};
-use netcast::scenario::{Diagnostic, Diagnostics, Place};
+use netcast::scenario::{Diagnostic, Diagnostics, Location, Place};
 use netcast::{Failure, RunError};
 
 /// Why a command failed.
@@ -113,6 +113,13 @@ impl From<ResultError> for Complaint {
             | ResultError::OtherProgram { .. }
             | ResultError::Changed { .. }
             | ResultError::Cut { .. }
+            | ResultError::NotAFile { .. }
+            // what was named to be read is missing or damaged
+            | ResultError::Read { .. }
+            | ResultError::Json { .. }
+            | ResultError::Csv { .. }
+            | ResultError::NotANumber { .. }
+            | ResultError::Fields { .. }
             | ResultError::NotFields { .. } => Complaint::Argument(error.to_string()),
             _ => Complaint::Fault(error.to_string()),
         }
@@ -133,6 +140,9 @@ impl From<RunError> for Complaint {
     }
 }
 
+/// The most bytes of a line of a file that is shown.
+const LONGEST_LINE: usize = 500;
+
 /// The text of a diagnostic in the style of rustc: file, line and column, the line itself, the help.
 fn render(diagnostic: &Diagnostic) -> String {
     let title = if diagnostic.path.is_empty() {
@@ -145,10 +155,20 @@ fn render(diagnostic: &Diagnostic) -> String {
         Some(Place::File { source, span }) => {
             let end = span.end.min(source.text.len());
             let span = span.start.min(end)..end;
-            let snippet = Snippet::source(source.text.as_str())
-                .path(source.name.as_str())
-                .annotation(AnnotationKind::Primary.span(span));
-            group = group.element(snippet);
+            // a line too long to be read is not shown
+            let (before, after) = source.text.split_at(span.start);
+            let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+            let length = span.start - start + after.find('\n').unwrap_or(after.len());
+            group = match diagnostic.location().filter(|_| length > LONGEST_LINE) {
+                Some(Location { file, line, column }) => {
+                    group.element(Origin::path(file).line(line).char_column(column))
+                }
+                None => group.element(
+                    Snippet::source(source.text.as_str())
+                        .path(source.name.as_str())
+                        .annotation(AnnotationKind::Primary.span(span)),
+                ),
+            };
         }
         Some(Place::Override(text)) => group = group.element(Level::NOTE.message(format!("in --set {text}"))),
         None => {}
@@ -156,6 +176,7 @@ fn render(diagnostic: &Diagnostic) -> String {
     if let Some(help) = &diagnostic.help {
         group = group.element(Level::HELP.message(help.as_str()));
     }
-    let renderer = if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
+    let is_coloured = anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never;
+    let renderer = if is_coloured { Renderer::styled() } else { Renderer::plain() };
     renderer.render(&[group])
 }

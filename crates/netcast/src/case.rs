@@ -9,7 +9,7 @@ use netcast_dynamics::simulate::Schedule;
 use netcast_dynamics::step_size::step_limit;
 use netcast_dynamics::system::SystemError;
 use netcast_model::Model;
-use netcast_results::Landmarks;
+use netcast_results::{Clash, Landmarks, clashes};
 use netcast_scenario::quantity::Number;
 use netcast_scenario::{Diagnostic, Diagnostics, Document, Scenario, Source, resolved_toml};
 
@@ -57,6 +57,8 @@ impl Case {
         let model = Model::new(&document)?;
         let inputs = Inputs::new(&document, &model).map_err(|error| Diagnostic::new("", error.to_string(), None))?;
         let (schedule, landmarks) = (schedule(&model), landmarks(&model));
+        let clashes = clashes(&landmarks).into_iter().map(|clash| clash_in_words(&document, clash));
+        Diagnostics::fail_if_any(clashes.collect())?;
         Ok(Self(Arc::new(Prepared { document, model, inputs, schedule, landmarks })))
     }
 
@@ -127,6 +129,16 @@ impl fmt::Debug for Case {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_struct("Case").field("scenario", self.scenario()).finish_non_exhaustive()
     }
+}
+
+/// That a name makes a column of the history that is there already, at the name.
+fn clash_in_words(document: &Document, Clash { column, name, other }: Clash) -> Diagnostic {
+    let points = &document.scenario.points;
+    let named = [Some(&name), other.as_ref()].into_iter().flatten().find(|name| points.contains_key(*name));
+    let path = named.map_or("web".to_owned(), |point| format!("points.{point}"));
+    let by = other.map_or("of every run".to_owned(), |other| format!("of {other:?}"));
+    let message = format!("the name {name:?} makes a column `{column}` of the history, which is one {by}");
+    document.diagnostic(&path, message).with_help("choose another name")
 }
 
 /// When a model's steps and records happen.

@@ -20,6 +20,12 @@ pub enum ReportError {
     /// A file of the result folder is malformed.
     #[error(transparent)]
     Result(ResultError),
+    /// The history ends before the frames of the run.
+    #[error("{} is cut off: it ends before the run", path.display())]
+    CutHistory {
+        /// The file.
+        path: PathBuf,
+    },
     /// The landmarks name a node that the fields do not have.
     #[error("{} names node {node}, but the fields hold {nodes} nodes: they come from another run", path.display())]
     UnknownNode {

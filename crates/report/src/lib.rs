@@ -34,6 +34,20 @@ use netcast_results::{SummaryFile, folder};
 
 use results::Results;
 
+/// Reads all files of a run that a report needs.
+///
+/// # Errors
+/// [`ReportError`] names the first that is missing, malformed or cut off.
+pub fn check_results(result_dir: &Path) -> Result<(), ReportError> {
+    let results = Results::read(result_dir)?;
+    let last_row = results.column("time_s").and_then(|times| times.into_iter().flatten().last());
+    let last_frame = results.scene.as_ref().and_then(|scene| scene.fields.times.last().copied());
+    if last_row.is_none() || last_frame > last_row {
+        return Err(ReportError::CutHistory { path: result_dir.join(folder::HISTORY) });
+    }
+    Ok(())
+}
+
 /// Writes `report.html` into `result_dir` from the `summary.json`, `history.csv` and `manifest.json` there, and returns
 /// its path. For the folder of a comparison it calls [`write_comparison`].
 ///

@@ -70,6 +70,12 @@ pub enum ResultError {
         /// The reason, with the folder as its subject.
         what: &'static str,
     },
+    /// Under a name of ours stands a link, a named pipe or a device.
+    #[error("{} is a link, a named pipe or a device: results are plain files", path.display())]
+    NotAFile {
+        /// Its path.
+        path: PathBuf,
+    },
     /// A checkpoint is cut short, damaged or of another system.
     #[error("{} is cut short, damaged, or no checkpoint of this run: run it anew", path.display())]
     NotCheckpoint {

@@ -1,4 +1,9 @@
-//! Names of the files and folders in a result folder.
+//! Names of the files and folders in a result folder, and what may stand under them.
+
+use std::fs;
+use std::path::Path;
+
+use crate::ResultError;
 
 /// The resolved scenario, with the files it names.
 pub const INPUTS: &str = "inputs";
@@ -41,3 +46,19 @@ pub const OURS: [&str; 12] = [
     FIELDS_PART,
     LOCK,
 ];
+
+/// Checks that what stands in `folder` under our names is a file or a folder: whoever opens a named pipe may wait for ever.
+/// `with_links` says whether it may also be a link to one; where netcast writes it may not, since the write would go
+/// through the link.
+///
+/// # Errors
+/// [`ResultError::NotAFile`].
+pub fn require_files(folder: &Path, with_links: bool) -> Result<(), ResultError> {
+    for path in OURS.iter().map(|name| folder.join(name)) {
+        let found = if with_links { fs::metadata(&path) } else { fs::symlink_metadata(&path) };
+        if found.is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+            return Err(ResultError::NotAFile { path });
+        }
+    }
+    Ok(())
+}

@@ -65,7 +65,7 @@ pub use quantity::{Better, Dimension, Quantity};
 pub use recorder::{Checkpoints, Recorder};
 pub use recovery::recover;
 pub use result_folder::ResultFolder;
-pub use row::columns;
+pub use row::{Clash, clashes, columns};
 pub use series::Series;
 pub use summary::{Summary, SummaryFile};
 pub use visible::visible;

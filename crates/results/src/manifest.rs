@@ -93,8 +93,11 @@ impl Manifest {
 
     /// Whether `folder` has a manifest of netcast, of any version.
     pub fn marks(folder: &Path) -> bool {
-        fs::read_to_string(folder.join(MANIFEST))
-            .ok()
+        let path = folder.join(MANIFEST);
+        // a named pipe would wait for a writer
+        Some(path)
+            .filter(|path| path.is_file())
+            .and_then(|path| fs::read_to_string(path).ok())
             .and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok())
             .is_some_and(|manifest| manifest["program"] == PROGRAM)
     }

@@ -19,12 +19,13 @@ pub fn recover(folder: &Path) -> Result<Vec<String>, ResultError> {
     if !Manifest::marks(folder) {
         return Ok(Vec::new());
     }
+    let is_whole = [folder::SUMMARY, folder::FIELDS].iter().all(|name| folder.join(name).exists());
+    folder::require_files(folder, is_whole)?;
     if running::is_busy(folder)? {
         return Err(ResultError::InUse { path: folder.to_path_buf() });
     }
     let mut losses = Vec::new();
     losses.extend(cut_history(&folder.join(folder::HISTORY))?);
-    let is_whole = [folder::SUMMARY, folder::FIELDS].iter().all(|name| folder.join(name).exists());
     if folder.join(folder::FIELDS_PART).exists() && !is_whole {
         losses.extend(make_fields(folder)?);
     }

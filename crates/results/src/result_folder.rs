@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io, process};
 
-use crate::folder::{CHECKPOINT, FIELDS, FIELDS_PART, OURS, PICTURES, REPORT, SUMMARY};
+use crate::folder::{CHECKPOINT, FIELDS, FIELDS_PART, OURS, PICTURES, REPORT, SUMMARY, require_files};
 use crate::running::{self, Lock};
 use crate::{Manifest, ResultError, stream, whole};
 
@@ -40,6 +40,7 @@ impl ResultFolder {
         let target = resolve(target)?;
         require_replaceable(&target)?;
         let parent = target.parent().unwrap_or(Path::new("/"));
+        remove_abandoned(parent, &target);
         let aside = unused_beside(&target, "new");
         let made = fs::create_dir_all(parent).and_then(|()| fs::create_dir(&aside));
         made.map_err(|source| ResultError::TargetUnwritable { path: target.clone(), source })?;
@@ -83,6 +84,7 @@ impl ResultFolder {
             };
             return Err(ResultError::NothingToResume { path: target, what }.into());
         }
+        require_files(&target, false)?;
         let (aside, lock) = running::claim(&target)?;
         let mut folder = Self { target, aside, lock: Some(lock), kept: existed, goes_on: false };
         let Some(left) = left else {
@@ -239,6 +241,30 @@ fn unused_beside(target: &Path, role: &str) -> PathBuf {
     (0..).map(candidate).find(|path| !path.exists()).expect("names do not run out")
 }
 
+/// Removes the hidden folders beside `target` of commands that were killed: no process has the number in their name. Where
+/// that cannot be known they stay.
+fn remove_abandoned(parent: &Path, target: &Path) {
+    let processes = Path::new("/proc");
+    let Some(own) = target.file_name().and_then(|name| name.to_str()).filter(|_| processes.join("self").exists())
+    else {
+        return;
+    };
+    let Ok(beside) = fs::read_dir(parent) else { return };
+    for entry in beside.flatten() {
+        let name = entry.file_name();
+        let id = name.to_str().and_then(|name| {
+            let (id, attempt) = name.strip_prefix(&format!(".{own}.new-"))?.split_once('-')?;
+            attempt.parse::<u32>().ok()?;
+            id.parse::<u32>().ok()
+        });
+        let is_ours = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if id.is_some_and(|id| is_ours && !processes.join(id.to_string()).exists()) {
+            // one that cannot be removed harms nobody
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
 /// Moves files that netcast did not write, such as notes of a user, from the old result to the new one, also in the
 /// folders of a comparison's designs.
 fn keep_foreign(old: &Path, new: &Path) -> Result<(), ResultError> {
@@ -316,6 +342,45 @@ mod tests {
         drop(folder);
         assert_eq!(fs::read_to_string(target.join("summary.json")).unwrap(), "first");
         assert_eq!(names_in(root.path()), ["net"]);
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn the_hidden_folder_of_a_command_that_was_killed_is_removed_by_the_next() {
+        let root = tempfile::tempdir().unwrap();
+        let target = root.path().join("net");
+        let mut gone = process::Command::new("true").spawn().unwrap();
+        gone.wait().unwrap();
+        // those of a process that is gone, of one that lives, and a folder of the user
+        let [left, busy] = [gone.id(), process::id()].map(|id| root.path().join(format!(".net.new-{id}-7")));
+        let notes = root.path().join(".net.new-ideas");
+        for folder in [&left, &busy, &notes] {
+            fs::create_dir(folder).unwrap();
+        }
+        drop(ResultFolder::create(&target).unwrap());
+        assert_eq!([left.exists(), busy.exists(), notes.exists()], [false, true, true]);
+    }
+
+    /// A pipe as history once kept the command waiting for ever; a link was written through.
+    #[test]
+    #[cfg(unix)]
+    fn links_and_pipes_under_names_of_ours_are_refused() {
+        let root = tempfile::tempdir().unwrap();
+        let aside = running::beside(&root.path().join("net"));
+        for name in OURS {
+            fs::create_dir_all(&aside).unwrap();
+            let victim = root.path().join("victim");
+            fs::write(&victim, "mine").unwrap();
+            std::os::unix::fs::symlink(&victim, aside.join(name)).unwrap();
+            let refused = ResultFolder::running(&root.path().join("net")).unwrap_err();
+            assert!(matches!(refused, ResultError::NotAFile { .. }), "{name}: {refused}");
+            assert_eq!(fs::read_to_string(&victim).unwrap(), "mine");
+            fs::remove_dir_all(&aside).unwrap();
+        }
+        let target = root.path().join("done");
+        publish(&target, "{}").unwrap();
+        assert!(process::Command::new("mkfifo").arg(target.join(HISTORY)).status().unwrap().success());
+        assert!(matches!(crate::recover(&target), Err(ResultError::NotAFile { .. })));
     }
 
     #[test]

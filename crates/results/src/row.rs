@@ -3,7 +3,7 @@
 //! Each list holds a column and its value side by side: first those of the run, then those of each feature point, link
 //! class and energy channel, then those of the web as a whole (`measures/web.rs`).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 use netcast_dynamics::channel::Channel;
@@ -150,30 +150,69 @@ pub(crate) struct RowLayout {
     kept: Vec<bool>,
 }
 
+/// The column of every value of a record, in order, with the point, link class or support that it is of.
+fn named_columns<'l>(landmarks: &'l Landmarks, channels: &[Channel]) -> Vec<(String, Option<&'l str>)> {
+    type Named<'n> = (String, Option<&'n str>);
+    fn of_each<'n, T>(rows: &[ColumnOf<T>], things: impl Iterator<Item = &'n String>) -> Vec<Named<'n>> {
+        things.flat_map(|thing| rows.iter().map(|(row, _)| (row.name_of(thing), Some(&thing[..])))).collect()
+    }
+    fn of_run<'n>(names: impl Iterator<Item = String>) -> impl Iterator<Item = Named<'n>> {
+        names.map(|name| (name, None))
+    }
+    let points = || landmarks.points.iter().map(|point| &point.name);
+    let classes = || landmarks.classes.iter().map(|class| &class.name);
+    let mut names: Vec<Named> = of_run(RUN.iter().map(|(column, _)| column.name.to_owned())).collect();
+    names.extend(of_each(POINT, points()));
+    names.extend(of_each(CLASS, classes()));
+    let channels = channels.iter().map(|channel| channel.name()).chain([RESIDUAL]);
+    names.extend(of_run(channels.map(|channel| CHANNEL.name_of(channel))));
+    names.extend(of_run(web::COLUMNS.iter().map(|(column, _)| column.name.to_owned())));
+    names.extend(of_run(RUN_PEAKS.iter().map(|(column, _)| column.name.to_owned())));
+    names.extend(of_each(POINT_PEAKS, points()));
+    names.extend(of_each(CLASS_PEAKS, classes()));
+    names.extend(of_each(SUPPORT, landmarks.supports.iter().map(|support| &support.name)));
+    names
+}
+
+/// Two numbers of a run that would stand in one column of its history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clash {
+    /// The column.
+    pub column: String,
+    /// The point, link class or support whose name makes it.
+    pub name: String,
+    /// The other one; none where the column is there in every run.
+    pub other: Option<String>,
+}
+
+/// The names of points, link classes and supports that make a column which stands in the history already, the first of each
+/// name. What every run follows, such as the tractors, does not clash with the columns about it.
+pub fn clashes(landmarks: &Landmarks) -> Vec<Clash> {
+    let names = named_columns(landmarks, Channel::ALL);
+    // a column of every run may stand behind that of a point
+    let mut first: BTreeMap<&str, Option<&str>> = BTreeMap::new();
+    for (column, of) in names.iter().rev() {
+        first.insert(column, *of);
+    }
+    first.extend(names.iter().filter(|(_, of)| of.is_none()).map(|(column, of)| (&column[..], *of)));
+    let mut found: Vec<Clash> = Vec::new();
+    for (column, of) in &names {
+        let (Some(name), other) = (*of, first[&column[..]]) else { continue };
+        let is_followed_always = other.is_none() && FOLLOWED.contains(&name);
+        if other != Some(name) && !is_followed_always && found.iter().all(|clash| clash.name != name) {
+            found.push(Clash { column: column.clone(), name: name.to_owned(), other: other.map(str::to_owned) });
+        }
+    }
+    found
+}
+
+/// The points that every run follows where it has them.
+const FOLLOWED: [&str; 3] = ["tractor", "corner", "centre"];
+
 impl RowLayout {
     /// For a run with these landmarks and channels of the energy balance.
     pub fn new(landmarks: &Landmarks, channels: &[Channel]) -> Self {
-        let of_each = |column: &Column, thing: &str| column.name_of(thing);
-        let mut names: Vec<String> = RUN.iter().map(|(column, _)| column.name.to_owned()).collect();
-        for point in &landmarks.points {
-            names.extend(POINT.iter().map(|(column, _)| of_each(column, &point.name)));
-        }
-        for class in &landmarks.classes {
-            names.extend(CLASS.iter().map(|(column, _)| of_each(column, &class.name)));
-        }
-        names.extend(channels.iter().map(|channel| CHANNEL.name_of(channel.name())));
-        names.push(CHANNEL.name_of(RESIDUAL));
-        names.extend(web::COLUMNS.iter().map(|(column, _)| column.name.to_owned()));
-        names.extend(RUN_PEAKS.iter().map(|(column, _)| column.name.to_owned()));
-        for point in &landmarks.points {
-            names.extend(POINT_PEAKS.iter().map(|(column, _)| of_each(column, &point.name)));
-        }
-        for class in &landmarks.classes {
-            names.extend(CLASS_PEAKS.iter().map(|(column, _)| of_each(column, &class.name)));
-        }
-        for support in &landmarks.supports {
-            names.extend(SUPPORT.iter().map(|(column, _)| of_each(column, &support.name)));
-        }
+        let names: Vec<String> = named_columns(landmarks, channels).into_iter().map(|(name, _)| name).collect();
         let mut seen = BTreeSet::new();
         let kept: Vec<bool> = names.iter().map(|name| seen.insert(name.clone())).collect();
         let columns = names.into_iter().zip(&kept).filter(|(_, kept)| **kept).map(|(name, _)| name).collect();
@@ -245,18 +284,20 @@ mod tests {
     use super::*;
     use crate::landmarks::LinkClass;
 
-    fn layout(points: &[&str], classes: &[&str]) -> RowLayout {
+    fn landmarks(points: &[&str], classes: &[&str]) -> Landmarks {
         let point =
             |name: &&str| Landmark { name: name.to_string(), nodes: vec![0], is_group: false, segments: Vec::new() };
         let class = |name: &&str| LinkClass { name: name.to_string(), is_rope: true, strength: None };
-        RowLayout::new(
-            &Landmarks {
-                points: points.iter().map(point).collect(),
-                classes: classes.iter().map(class).collect(),
-                ..Landmarks::default()
-            },
-            &Channel::ALL.iter().copied().filter(|channel| *channel != Channel::Custom).collect::<Vec<_>>(),
-        )
+        Landmarks {
+            points: points.iter().map(point).collect(),
+            classes: classes.iter().map(class).collect(),
+            ..Landmarks::default()
+        }
+    }
+
+    fn layout(points: &[&str], classes: &[&str]) -> RowLayout {
+        let of_every_run = Channel::ALL.iter().copied().filter(|channel| *channel != Channel::Custom);
+        RowLayout::new(&landmarks(points, classes), &of_every_run.collect::<Vec<_>>())
     }
 
     #[test]
@@ -279,6 +320,37 @@ mod tests {
         );
         let web = names.iter().position(|name| name == "mass_centre_height_m").unwrap();
         assert_eq!(names[web + 1..], ["tension_peak_n", "B_speed_peak_m_s", "B_tension_peak_n", "ring_peak_n"]);
+    }
+
+    /// Names that make each column of a run, were they those of a point, a class or a support.
+    #[test]
+    fn a_name_that_makes_a_column_of_every_run_clashes_with_it() {
+        let named = |points: &[&str], classes: &[&str]| {
+            let landmarks = landmarks(points, classes);
+            clashes(&landmarks).into_iter().map(|clash| (clash.name, clash.column)).collect::<Vec<_>>()
+        };
+        let of_run: Vec<String> =
+            named_columns(&Landmarks::default(), Channel::ALL).into_iter().map(|(name, _)| name).collect();
+        let mut checked = 0;
+        for column in &of_run {
+            for (pattern, is_point) in POINT
+                .iter()
+                .chain(POINT_PEAKS)
+                .map(|(c, _)| (c.name, true))
+                .chain(CLASS.iter().chain(CLASS_PEAKS).map(|(c, _)| (c.name, false)))
+            {
+                let Some(name) = column.strip_suffix(&pattern[2..]).filter(|name| !FOLLOWED.contains(name)) else {
+                    continue;
+                };
+                let found = if is_point { named(&[name], &[]) } else { named(&[], &[name]) };
+                assert!(found.iter().any(|(of, _)| of == name), "{name}: {found:?}");
+                checked += 1;
+            }
+        }
+        assert!(checked >= 3, "{checked}");
+        // a class against a point, and what is followed in every run
+        assert_eq!(named(&["B"], &["B_tension"]), [("B_tension".to_owned(), "B_tension_peak_n".to_owned())]);
+        assert_eq!(named(&["B", "tractor", "corner", "centre"], &["ring"]), []);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 
-use crate::folder::{LOCK, OURS};
+use crate::folder::{LOCK, OURS, require_files};
 use crate::{ResultError, whole};
 
 /// The lock on the folder of a run, held until it is dropped.
@@ -116,5 +116,5 @@ fn require_ours(folder: &Path) -> Result<(), ResultError> {
             return Err(ResultError::TargetNotOurs { path: path() });
         }
     }
-    Ok(())
+    require_files(folder, false)
 }

@@ -28,6 +28,7 @@ pub(crate) struct CsvTable {
     faults: Vec<Diagnostic>,
 }
 
+#[derive(Clone)]
 struct Row {
     span: Range<usize>,
     line: usize,
@@ -103,6 +104,10 @@ impl CsvTable {
         let expected = format!("expected the columns {}", known.join(","));
         let header = self.header.clone();
         let columns = self.columns.clone();
+        if let Some((message, help)) = other_form(&columns, &known) {
+            self.fault(header, message, Some(help));
+            return false;
+        }
         let mut seen = BTreeSet::new();
         let mut faulty = 0;
         for column in &columns {
@@ -139,11 +144,17 @@ impl CsvTable {
         let source = self.source.clone();
         for row in Rows::new(&source.text).skip(1) {
             let is_reported = self.faults.len() < MOST_FAULTS;
-            let mut cells = Cells { columns: &self.columns, row: &row, is_reported, faults: Vec::new() };
-            if row.cells.len() == self.columns.len() {
-                read_rows.extend(read(&mut cells));
+            let (expected, count) = (self.columns.len(), row.cells.len());
+            let filled =
+                Row { cells: row.cells.iter().cloned().chain(empty()).take(expected).collect(), ..row.clone() };
+            let mut cells = Cells { columns: &self.columns, row: &filled, is_reported, faults: Vec::new() };
+            let is_read = read(&mut cells);
+            if count == expected {
+                read_rows.extend(is_read);
             } else {
-                cells.fault(format!("expected {} values, found {}", self.columns.len(), row.cells.len()), None);
+                // its other faults follow from this one; it was read so that its id is known
+                cells.faults.clear();
+                cells.fault(format!("expected {expected} values, found {count}"), None);
             }
             for Fault { column, message, help } in cells.faults {
                 if self.faults.len() < MOST_FAULTS {
@@ -197,6 +208,34 @@ impl CsvTable {
         let place = Place::File { source: self.source.clone(), span };
         self.faults.push(Diagnostic::new(&self.path, message, Some(place)).with_help_if(help));
     }
+}
+
+/// Cells without text, as many as are asked for.
+fn empty() -> impl Iterator<Item = String> {
+    std::iter::repeat_with(String::new)
+}
+
+/// What is wrong, and the help, where a header is in another form throughout: separated by something else than commas, or
+/// with capitals.
+fn other_form(columns: &[String], known: &[&str]) -> Option<(String, String)> {
+    if let [whole] = columns {
+        let separators = [(';', "semicolons"), ('\t', "tabs"), ('|', "bars")];
+        let (mark, name) = separators.into_iter().find(|(mark, _)| whole.contains(*mark))?;
+        let is_known = |name: &str| known.contains(&name.trim().to_lowercase().as_str());
+        let what = format!("the values of this file are separated by {name}, not by commas");
+        let help = "separate them by commas, and write decimals with a point".to_owned();
+        return whole.split(mark).any(is_known).then_some((what, help));
+    }
+    let is_other =
+        |column: &&String| !known.contains(&column.as_str()) && known.contains(&column.to_lowercase().as_str());
+    let others: Vec<&String> = columns.iter().filter(is_other).collect();
+    let (first, count) = (others.first()?, others.len());
+    let small: Vec<String> = columns.iter().map(|column| column.to_lowercase()).collect();
+    let more = if count == 1 { String::new() } else { format!(", and {} more", count - 1) };
+    Some((
+        format!("the names of columns are in small letters, not `{first}`{more}"),
+        format!("write the header as {}", small.join(",")),
+    ))
 }
 
 /// A fault of a row, or of its cell in `column`.

@@ -51,20 +51,32 @@ pub struct Diagnostic {
     pub place: Option<Place>,
 }
 
+/// The most characters of a message and of a help. A cell of a file may be as long as the file.
+const LONGEST_MESSAGE: usize = 400;
+const LONGEST_HELP: usize = 1000;
+
+/// A text of at most so many characters, and an ellipsis where it was longer.
+fn cut(text: String, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
+    }
+}
+
 impl Diagnostic {
     /// A fault at `place`, without help.
     pub fn new(path: impl fmt::Display, message: impl Into<String>, place: Option<Place>) -> Self {
-        Self { path: path.to_string(), message: message.into(), help: None, place }
+        Self { path: path.to_string(), message: cut(message.into(), LONGEST_MESSAGE), help: None, place }
     }
 
     /// Adds a help: how to correct the fault.
     pub fn with_help(self, help: impl Into<String>) -> Self {
-        Self { help: Some(help.into()), ..self }
+        self.with_help_if(Some(help.into()))
     }
 
     /// Sets the help, which may be absent.
     pub fn with_help_if(self, help: Option<String>) -> Self {
-        Self { help, ..self }
+        Self { help: help.map(|help| cut(help, LONGEST_HELP)), ..self }
     }
 
     /// File, line and column; `None` where the place is not in a file.

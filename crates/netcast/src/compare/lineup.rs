@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use netcast_model::Model;
+use netcast_report::check_results;
 use netcast_results::{Manifest, Quantity, SummaryFile, expected, folder, leaves, quantity_at};
 use netcast_scenario::{Diagnostic, Diagnostics, Place};
 use serde_json::Value as Json;
@@ -171,6 +172,7 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
     if !Manifest::marks(path) {
         return Err("expected a scenario or a result folder that netcast wrote".into());
     }
+    folder::require_files(path, true).map_err(|error| error.to_string())?;
     let summary = SummaryFile::read(path).map_err(|error| error.to_string())?;
     if summary.is_of_comparison() {
         return Err("it is a comparison; name the folders of designs in it".into());
@@ -180,6 +182,8 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
             return Err(format!("it has no {}", needed.display()));
         }
     }
+    // whatever the page would fail on is wrong before anything runs
+    check_results(path).map_err(|error| error.to_string())?;
     Ok(Origin::Folder(path.to_owned()))
 }
 
