@@ -11,7 +11,7 @@ fn the_numbers_of_the_paper_are_quantities_of_its_webs() {
     let webs = ["01_traditional_web/traditional_web", "02_topological_web/topological_web", "03_space_web/space_web"];
     let webs: Vec<PathBuf> = webs.iter().map(|web| examples().join(format!("{web}.toml"))).collect();
     let folder = examples().join("07_three_webs");
-    let lineup = Lineup::read(&webs, &[], Some(&folder.join("reported.toml"))).unwrap_or_else(|e| panic!("{e}"));
+    let lineup = Lineup::read(&webs, &[], &[], Some(&folder.join("reported.toml"))).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(lineup.names().collect::<Vec<_>>(), ["traditional_web", "topological_web", "space_web"]);
 
     // the command in the README names the same scenarios
@@ -37,7 +37,8 @@ fn twelve_designs_are_distinct_in_table_and_page() {
             path
         })
         .collect();
-    let lineup = Lineup::read(&designs, &["solve.duration=20 ms".to_owned()], None).unwrap_or_else(|e| panic!("{e}"));
+    let lineup =
+        Lineup::read(&designs, &["solve.duration=20 ms".to_owned()], &[], None).unwrap_or_else(|e| panic!("{e}"));
     let target = folder.path().join("comparison");
     let compared = compare(&lineup, &target, &RunOptions { threads: 2, ..RunOptions::default() }, &|_| {}, &|| false)
         .unwrap_or_else(|e| panic!("{e}"));

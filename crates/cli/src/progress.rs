@@ -1,12 +1,15 @@
 //! The progress bar, on standard error if that is a terminal.
 
+use std::fmt::Write;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use netcast::Progress;
 
-/// Number of steps of the bar.
-const MARKS: u64 = 1000;
+use crate::screen::wait;
+
+/// Number of steps of the bar: fine, so that the time left of a long run is known soon.
+const MARKS: u64 = 1_000_000;
 
 /// A bar that shows the simulated time and the time left.
 pub struct Bar(ProgressBar);
@@ -17,8 +20,9 @@ impl Bar {
         // indicatif draws nothing where standard error is no terminal
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(Some(MARKS), target);
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
-        bar.set_style(style.expect("the template is well formed"));
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}{left}");
+        let style = style.expect("the template is well formed").with_key("left", time_left);
+        bar.set_style(style);
         bar.enable_steady_tick(Duration::from_millis(200));
         Bar(bar)
     }
@@ -40,5 +44,13 @@ impl Bar {
     /// Removes the bar.
     pub fn end(&self) {
         self.0.finish_and_clear();
+    }
+}
+
+/// Writes the time left, once there is a rate to tell it by.
+fn time_left(state: &ProgressState, out: &mut dyn Write) {
+    if state.pos() > 0 && state.per_sec() > 0.0 {
+        // a bar that cannot be drawn is no reason to stop a run
+        let _ = write!(out, "  about {} left", wait(state.eta().as_secs_f64()));
     }
 }

@@ -43,6 +43,27 @@ pub fn number(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// A time of waiting in words, to two digits: `0.079 s`, `12 min`, `3.7 days`.
+pub fn wait(seconds: f64) -> String {
+    const UNITS: [(f64, &str); 4] = [(365.25 * 86400.0, "years"), (86400.0, "days"), (3600.0, "h"), (60.0, "min")];
+    // from two of a unit on
+    let (unit, name) = UNITS.into_iter().find(|(unit, _)| seconds >= 2.0 * unit).unwrap_or((1.0, "s"));
+    format!("{} {name}", number(seconds / unit, 2))
+}
+
+/// A run that takes longer than this, s, is warned of.
+pub const LONG_WAIT_S: f64 = 3600.0;
+
+/// What is said of a run that takes so long, s; none of a short one.
+pub fn long_wait(seconds: f64) -> Option<String> {
+    (seconds > LONG_WAIT_S).then(|| {
+        format!(
+            "this run takes about {} on one core of this machine; `netcast check` says what bounds its step",
+            wait(seconds)
+        )
+    })
+}
+
 /// Prints the longest stretch, the stored energy and the packed size at the start.
 pub fn start(start: &StartFacts) {
     let stretch = start.longest_stretch.zip(start.longest_stretch_where.as_ref()).map(|(stretch, label)| {

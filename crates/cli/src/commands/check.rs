@@ -12,7 +12,7 @@ use netcast::Facts;
 use super::ScenarioArguments;
 use crate::Ended;
 use crate::complaint::Complaint;
-use crate::screen::{notes, say, start};
+use crate::screen::{long_wait, notes, say, start};
 
 /// Check a scenario without running it; print its bill of materials, step size and cost
 #[derive(Args)]
@@ -86,5 +86,8 @@ fn show(facts: &Facts, links: Option<&[netcast::facts::LinkFacts]>) {
     }
     if let Some(facts) = &facts.cost {
         cost::cost(facts);
+        if let Some(warning) = facts.one_core_s.and_then(long_wait) {
+            say!("warning: {warning}");
+        }
     }
 }

@@ -20,6 +20,7 @@ Examples:
   netcast compare ring.toml star.toml
   netcast compare results/ring star.toml --out results/ring-or-star
   netcast compare ring.toml star.toml --set launch.axial_speed=\"60 m/s\"
+  netcast compare ring.toml --vary tractor.particle.mass=60g,120g,200g
   netcast compare ring.toml star.toml --reported test.toml
 
 DIR then holds report.html, summary.json, summary.csv, and a result folder for each design, called like its file.
@@ -47,6 +48,11 @@ pub struct Arguments {
     #[arg(long = "set", value_name = "PATH=VALUE")]
     overrides: Vec<String>,
 
+    /// Compare variants of each scenario: one for each of these values, such as tractor.particle.mass=60g,120g; given more
+    /// than once, one for each combination
+    #[arg(long = "vary", value_name = "PATH=VALUE,VALUE")]
+    varied: Vec<String>,
+
     /// Threads to use at most; results do not depend on it [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
@@ -62,7 +68,8 @@ pub struct Arguments {
 
 /// Runs `netcast compare`.
 pub fn run(arguments: &Arguments) -> Ended {
-    let lineup = Lineup::read(&arguments.designs, &arguments.overrides, arguments.reported.as_deref())?;
+    let lineup =
+        Lineup::read(&arguments.designs, &arguments.overrides, &arguments.varied, arguments.reported.as_deref())?;
     let target = arguments.out.clone().unwrap_or_else(|| PathBuf::from("results").join("comparison"));
     let mut options = RunOptions::default();
     if let Some(threads) = arguments.threads {

@@ -13,7 +13,7 @@ use super::{ScenarioArguments, stop_on_signal};
 use crate::Ended;
 use crate::complaint::Complaint;
 use crate::progress::Bar;
-use crate::screen::say;
+use crate::screen::{long_wait, say};
 
 /// Run a scenario; write results to a folder and print a summary
 #[derive(Args)]
@@ -71,6 +71,11 @@ pub fn run(arguments: &Arguments) -> Ended {
     }
 
     let stop = stop_on_signal()?;
+    if !arguments.quiet
+        && let Some(warning) = case.expected_time_s().and_then(long_wait)
+    {
+        eprintln!("warning: {warning}");
+    }
     let bar = Bar::new(arguments.quiet);
     let simulation = case.simulation().options(options).progress(|progress| bar.show(progress));
     let ran = simulation.interrupt_when(|| stop.load(Ordering::Relaxed)).run_to(&target);

@@ -268,3 +268,63 @@ fn graph_files_of_one_name_are_compared_by_their_content() {
     let paths: Vec<&Value> = summary["differences"].as_array().unwrap().iter().map(|d| &d["path"]).collect();
     assert_eq!(paths, ["inputs/nodes.csv"]);
 }
+
+#[test]
+fn variants_of_one_file_are_the_runs_with_those_values_byte_for_byte() {
+    let workbench = Workbench::new(&[("net.toml", SMALL_NET)]);
+    let vary = ["--vary", "launch.axial_speed=\"20 m/s\",30 m/s", "--vary", "solve.duration=10ms,20ms"];
+    let ended = workbench.succeed(&[&["compare", "net.toml", "--quiet"][..], &vary].concat());
+    assert_eq!(ended.stderr, "");
+    let summary = workbench.summary("results/comparison");
+    let names: Vec<&str> =
+        summary["designs"].as_array().unwrap().iter().map(|design| design["name"].as_str().unwrap()).collect();
+    assert_eq!(names.len(), 4);
+    assert_eq!(names[2], "axial_speed=30 m_s, duration=10ms");
+    workbench.succeed(&[
+        "run",
+        "net.toml",
+        "--quiet",
+        "--set",
+        "launch.axial_speed=30 m/s",
+        "--set",
+        "solve.duration=10ms",
+        "--out",
+        "alone",
+    ]);
+    for file in ["history.csv", "fields.vtkhdf", "inputs/scenario.toml"] {
+        let of = |folder: &str| std::fs::read(workbench.path(&format!("{folder}/{file}"))).unwrap();
+        assert!(of(&format!("results/comparison/{}", names[2])) == of("alone"), "{file}");
+    }
+
+    let refused = workbench.netcast(&["compare", "net.toml", "--vary", "solve.duration=1,2,3,4,5,6,7,8,9,10,11,12,13"]);
+    assert_eq!(refused.status, 2);
+    assert!(refused.stderr.contains("13 variants of each scenario; a comparison has at most 12"), "{}", refused.stderr);
+    let refused = workbench.netcast(&["compare", "net.toml"]);
+    assert!(refused.stderr.contains("--vary tractor.particle.mass="), "{}", refused.stderr);
+}
+
+/// A spreadsheet would have run the name.
+#[test]
+fn a_design_whose_name_is_a_formula_is_a_text_in_the_table() {
+    let workbench = Workbench::new(&[("=cmd|' !A1.toml", SMALL_NET), ("b.toml", SMALL_NET)]);
+    workbench.succeed(&["compare", "=cmd|' !A1.toml", "b.toml", "--quiet", "--set", "solve.duration=5ms"]);
+    let csv = workbench.read("results/comparison/summary.csv");
+    assert!(csv.starts_with("quantity,unit,'=cmd|' !A1,b\n"), "{}", csv.lines().next().unwrap());
+}
+
+/// It exited with 1 and named a hidden folder that was gone.
+#[test]
+fn a_damaged_result_is_refused_by_its_path_before_anything_runs() {
+    let workbench = two();
+    workbench.succeed(&["run", "fine.toml", "--quiet", "--out", "result", "--set", "solve.duration=5ms"]);
+    for file in ["history.csv", "fields.vtkhdf", "landmarks.json", "summary.json"] {
+        let path = workbench.path(&format!("result/{file}"));
+        let whole = std::fs::read(&path).unwrap();
+        std::fs::write(&path, &whole[..whole.len() / 2]).unwrap();
+        let ended = workbench.netcast(&["compare", "coarse.toml", "result"]);
+        assert_eq!(ended.status, 2, "{file}: {}", ended.stderr);
+        assert!(ended.stderr.contains(&format!("result/{file}")), "{}", ended.stderr);
+        assert!(ended.stderr.contains("nothing was written"), "{}", ended.stderr);
+        std::fs::write(&path, whole).unwrap();
+    }
+}

@@ -285,3 +285,32 @@ fn mistakes_found_in_the_drawn_web_are_reported_at_once() {
         &["no link class \"ring\"", "unknown node \"n77\"", "the web has 4 corners, not 9", "3 errors"],
     );
 }
+
+/// Nine errors once told of one separator, none of which named it.
+#[test]
+fn a_csv_file_in_another_form_throughout_gets_one_message() {
+    for (separator, name) in [(";", "semicolons"), ("\t", "tabs")] {
+        let message = graph_with("nodes.csv", NODES, &NODES.replace(',', separator));
+        assert_says(&message, &[name, "nodes.csv:1:1", "separate them by commas", "1 error;"]);
+    }
+    let message = graph_with("nodes.csv", NODES, &NODES.replacen("id,x,y,z", "ID,X,Y,Z", 1));
+    assert_says(&message, &["small letters", "`ID`", "and 3 more", "1 error;"]);
+    let short = NODES.trim_end().rsplit_once(',').unwrap().0;
+    let message = graph_with("nodes.csv", NODES.trim_end(), short);
+    assert_says(&message, &["values, found", "1 error;"]);
+}
+
+#[test]
+fn a_cell_of_megabytes_is_cut_to_a_line() {
+    let cell = "7".repeat(2_000_000) + "x";
+    let (before, after) = NODES.trim_end().rsplit_once(',').unwrap();
+    let message = graph_with("nodes.csv", after, &cell);
+    assert!(message.len() < 2_000 && message.contains('…'), "{} bytes of {before}", message.len());
+}
+
+/// It passed the check, and the column of the history was of the point.
+#[test]
+fn a_point_named_like_a_column_of_every_run_is_refused() {
+    let message = graph_with("net.toml", "[solve]", "[points]\nmass_centre = \"middle\"\n[solve]");
+    assert_says(&message, &["`mass_centre_travel_m`", "points.mass_centre", "net.toml:", "choose another name"]);
+}

@@ -54,10 +54,10 @@ fn damping_above_stiffness(scenario: &Scenario, system: &System, groups: &[Group
         let worst = system.segments().iter().filter(is_of_rope).max_by(|a, b| share(a).total_cmp(&share(b)));
         let Some((segment, share)) = worst.map(|s| (s, share(s))).filter(|(_, share)| *share > 1.0) else { continue };
         found.push(format!(
-            "{}: in segments of {:.3} m a jerk makes {share:.1} times more tension by damping than by stiffness: the highest \
-             tensions depend on the length of segments; take segments of at least {:.3} m, or less damping",
+            "{}: in segments of {} m a jerk makes {share:.1} times more tension by damping than by stiffness: the highest \
+             tensions depend on the length of segments; take segments of at least {} m, or less damping",
             assignment::table_of(name),
-            segment.rest_length,
+            two_digits(segment.rest_length),
             two_digits(share * segment.rest_length)
         ));
     }

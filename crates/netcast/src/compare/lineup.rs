@@ -11,6 +11,7 @@ use netcast_scenario::{Diagnostic, Diagnostics, Place};
 use serde_json::Value as Json;
 
 use super::reported::{Kind, KnownDesign, KnownQuantity, ReportedFile};
+use super::vary::{Variant, joined, variants};
 use crate::case::Case;
 use crate::inputs::SCENARIO;
 
@@ -44,14 +45,26 @@ pub(super) enum Origin {
 
 impl Lineup {
     /// Reads designs. Each is the file of a scenario, which takes the overrides as after `--set`, or a result folder,
-    /// which stays as it is. `reported` is a file of numbers from another source to compare with.
+    /// which stays as it is. Every scenario becomes a design for each combination of the varied values, `path=value,value`
+    /// as after `--vary`. `reported` is a file of numbers from another source to compare with.
     ///
     /// # Errors
-    /// [`Diagnostics`] with all mistakes in designs, overrides and reported numbers.
-    pub fn read(designs: &[PathBuf], overrides: &[String], reported: Option<&Path>) -> Result<Self, Diagnostics> {
-        let mut found = mistakes_of_set(designs, overrides);
-        let names = names(designs);
-        let read: Vec<Result<Origin, Diagnostics>> = designs.iter().map(|path| Origin::read(path, overrides)).collect();
+    /// [`Diagnostics`] with all mistakes in designs, overrides, varied and reported numbers.
+    pub fn read(
+        files: &[PathBuf],
+        overrides: &[String],
+        varied: &[String],
+        reported: Option<&Path>,
+    ) -> Result<Self, Diagnostics> {
+        let variants = variants(varied).map_err(Diagnostics)?;
+        let mut found = mistakes_of_set(files, overrides, &variants);
+        let (designs, variant_of) = each_variant(files, &variants);
+        let names = names(&designs, &variant_of);
+        let read: Vec<Result<Origin, Diagnostics>> = designs
+            .iter()
+            .zip(&variant_of)
+            .map(|(path, variant)| Origin::read(path, &[overrides, &variant.overrides].concat()))
+            .collect();
         let reported = reported.and_then(|file| {
             let known = names.iter().zip(&read).map(|(name, origin)| {
                 // a design that cannot be read may have any reported quantity
@@ -141,16 +154,29 @@ fn has_section(model: &Model, section: &str) -> bool {
     }
 }
 
+/// The designs of these files, and the variant that each is.
+fn each_variant(files: &[PathBuf], variants: &[Variant]) -> (Vec<PathBuf>, Vec<Variant>) {
+    let as_it_is = [Variant::default()];
+    let of_file = |path: &PathBuf| {
+        let variants = if path.is_dir() { &as_it_is } else { variants };
+        variants.iter().map(|variant| (path.clone(), variant.clone())).collect::<Vec<_>>()
+    };
+    files.iter().flat_map(of_file).unzip()
+}
+
 /// A mistake without a place in a file.
-fn mistake(message: String) -> Diagnostic {
+pub(super) fn mistake(message: String) -> Diagnostic {
     Diagnostic::new("", message, None)
 }
 
 /// Mistakes in the choice of designs: too few, too many, repeated, or none that an override applies to.
-fn mistakes_of_set(designs: &[PathBuf], overrides: &[String]) -> Vec<Diagnostic> {
+fn mistakes_of_set(designs: &[PathBuf], overrides: &[String], variants: &[Variant]) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    if !(FEWEST..=MOST).contains(&designs.len()) {
-        found.push(mistake(format!("expected {FEWEST} to {MOST} designs to compare, found {}", designs.len())));
+    let count = each_variant(designs, variants).0.len();
+    if !(FEWEST..=MOST).contains(&count) {
+        let message = format!("expected {FEWEST} to {MOST} designs to compare, found {count}");
+        let help = "name more, or vary a value of one: --vary tractor.particle.mass=60g,120g";
+        found.push(mistake(message).with_help_if((count < FEWEST).then(|| help.to_owned())));
     }
     let paths: Vec<PathBuf> = designs.iter().map(|path| resolved(path)).collect();
     for (index, path) in designs.iter().enumerate() {
@@ -160,6 +186,9 @@ fn mistakes_of_set(designs: &[PathBuf], overrides: &[String]) -> Vec<Diagnostic>
     }
     if !overrides.is_empty() && !designs.is_empty() && designs.iter().all(|path| path.is_dir()) {
         found.push(mistake("--set has no effect: all designs are result folders, which are not run again".into()));
+    }
+    if variants.len() > 1 && !designs.is_empty() && designs.iter().all(|path| path.is_dir()) {
+        found.push(mistake("--vary has no effect: all designs are result folders, which are not run again".into()));
     }
     found
 }
@@ -187,9 +216,10 @@ fn result_folder(path: &Path) -> Result<Origin, String> {
     Ok(Origin::Folder(path.to_owned()))
 }
 
-/// A unique name for each design: that of its file or folder. Equal names are preceded by the name of the parent
-/// folder, and if they are still equal followed by a number.
-fn names(designs: &[PathBuf]) -> Vec<String> {
+/// A unique name for each design: that of its file or folder, and of its variant; of that alone where one file is varied.
+/// Equal names are preceded by the name of the parent folder, and if they are still equal followed by a number.
+fn names(designs: &[PathBuf], variants: &[Variant]) -> Vec<String> {
+    let is_one_file = designs.iter().all(|path| *path == designs[0]) && designs.len() > 1;
     let own = |path: &PathBuf| {
         let name =
             if path.is_dir() { resolved(path).file_name().map(Into::into) } else { path.file_stem().map(Into::into) };
@@ -211,6 +241,8 @@ fn names(designs: &[PathBuf]) -> Vec<String> {
     // the folder of a design must not have the name of a file of the comparison
     let mut taken: BTreeSet<String> = folder::OURS.iter().map(|name| (*name).to_owned()).collect();
     distinguished
+        .zip(variants)
+        .map(|(file, variant)| if is_one_file { variant.name.clone() } else { joined(&file, &variant.name) })
         .map(|name| {
             let numbered = (1..).map(|count| if count == 1 { name.clone() } else { format!("{name}_{count}") });
             let free = numbered.into_iter().find(|name| taken.insert(name.to_lowercase()));
@@ -229,7 +261,8 @@ mod tests {
     use super::*;
 
     fn named(paths: &[&str]) -> Vec<String> {
-        names(&paths.iter().map(PathBuf::from).collect::<Vec<_>>())
+        let paths: Vec<PathBuf> = paths.iter().map(PathBuf::from).collect();
+        names(&paths, &vec![Variant::default(); paths.len()])
     }
 
     #[test]
@@ -246,11 +279,11 @@ mod tests {
 
     #[test]
     fn all_mistakes_in_the_designs_are_reported_at_once() {
-        let error = Lineup::read(&["no_such_net.toml".into()], &[], None).unwrap_err().to_string();
+        let error = Lineup::read(&["no_such_net.toml".into()], &[], &[], None).unwrap_err().to_string();
         assert!(error.contains("expected 2 to 12 designs to compare, found 1"), "{error}");
         assert!(error.contains("cannot read no_such_net.toml"), "{error}");
         let many: Vec<PathBuf> = (0..13).map(|_| "no_such_net.toml".into()).collect();
-        let error = Lineup::read(&many, &[], None).unwrap_err().to_string();
+        let error = Lineup::read(&many, &[], &[], None).unwrap_err().to_string();
         assert!(error.contains("found 13") && error.contains("no_such_net.toml is named twice"), "{error}");
     }
 
@@ -263,7 +296,7 @@ mod tests {
         let reported = folder.path().join("reported.toml");
         let read = |text: &str| {
             fs::write(&reported, format!("source = \"a test\"\n{text}")).unwrap();
-            Lineup::read(&designs, &[], Some(&reported)).map(|_| ()).map_err(|faults| faults.to_string())
+            Lineup::read(&designs, &[], &[], Some(&reported)).map(|_| ()).map_err(|faults| faults.to_string())
         };
         // quantities that only a whole run fills
         read(

@@ -2,6 +2,7 @@
 
 mod lineup;
 mod reported;
+mod vary;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -119,6 +119,13 @@ impl Cost {
 }
 
 impl Case {
+    /// The time of the whole run in time on one core of this machine, s, from the time of a step; none where there is no run
+    /// in time.
+    pub fn expected_time_s(&self) -> Option<f64> {
+        let is_at_rest = self.model().scenario.solve.run_time().is_none();
+        (!is_at_rest).then(|| self.schedule().count as f64 * self.step_time_s())
+    }
+
     /// Measures the time of a step on one core of this machine, s, as the mean of 200 steps or of those within 50 ms.
     pub fn step_time_s(&self) -> f64 {
         const MEASURED_MAX: Duration = Duration::from_millis(50);

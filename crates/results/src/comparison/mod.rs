@@ -158,8 +158,8 @@ impl Comparison {
             names().filter(|name| self.table.iter().any(|row| row.reported.contains_key(*name))).collect();
         let mut writer = csv::Writer::from_path(path).map_err(ResultError::csv(path))?;
         let mut head = vec!["quantity".to_owned(), "unit".to_owned()];
-        head.extend(names().cloned());
-        head.extend(reported.iter().map(|name| format!("{name}_reported")));
+        head.extend(names().map(|name| plain_text(name)));
+        head.extend(reported.iter().map(|name| plain_text(&format!("{name}_reported"))));
         writer.write_record(&head).map_err(ResultError::csv(path))?;
         for row in &self.table {
             let mut cells = vec![row.quantity.clone(), row.unit.clone()];
@@ -171,10 +171,17 @@ impl Comparison {
     }
 }
 
+/// A text as a cell that no spreadsheet takes for a formula: with an apostrophe before the sign that begins one (OWASP, CSV
+/// Injection).
+fn plain_text(text: &str) -> String {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    if is_formula { format!("'{text}") } else { text.to_owned() }
+}
+
 /// Text of the cell of a design; empty without a value.
 fn cell(values: &Map<String, Value>, design: &str) -> String {
     match values.get(design) {
-        Some(Value::String(text)) => text.clone(),
+        Some(Value::String(text)) => plain_text(text),
         Some(Value::Number(number)) if number.is_f64() => number.as_f64().map(decimal).unwrap_or_default(),
         Some(Value::Number(number)) => number.to_string(),
         _ => String::new(),

@@ -2,7 +2,7 @@
 
 use netcast::facts::{Cost, Equilibrium};
 
-use crate::screen::{number, rows, say};
+use crate::screen::{number, rows, say, wait};
 
 /// Prints the limits of the search for an equilibrium.
 pub fn equilibrium(wanted: &Equilibrium) {
@@ -18,8 +18,7 @@ pub fn equilibrium(wanted: &Equilibrium) {
 pub fn cost(cost: &Cost) {
     let elements: String = cost.elements.iter().map(|some| format!(", {} {}", some.count, some.kind)).collect();
     let limit = cost.limited_by.as_deref().unwrap_or("nothing");
-    let seconds =
-        cost.one_core_s.map(|seconds| format!(", about {} s on one core of this machine", number(seconds, 2)));
+    let seconds = cost.one_core_s.map(|seconds| format!(", about {} on one core of this machine", wait(seconds)));
     say!("Cost");
     rows(&[
         ("model".into(), format!("{} nodes, {} segments{elements}", cost.nodes, cost.segments)),
