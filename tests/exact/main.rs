@@ -7,6 +7,7 @@ mod air;
 mod bent_rope;
 mod breaking;
 mod canopies;
+mod catalogue_rope;
 mod catenary;
 mod flight;
 mod folded_chain;

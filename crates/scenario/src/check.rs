@@ -184,11 +184,15 @@ impl Check<'_> {
             let help = expected_at(&path.key(key), key, content);
             self.at_value(&path.key(key), format!("missing key `{key}`"), Some(help));
         }
-        let exclusive: Vec<&str> = strings(schema.get("not").and_then(|not| not.get("required"))).collect();
-        if !exclusive.is_empty() && exclusive.iter().all(|key| table.get(key).is_some()) {
-            let written_last = table.keys().filter(|key| exclusive.contains(key)).last().unwrap_or_default();
-            let message = format!("expected only one of `{}`", exclusive.join("` and `"));
-            self.found.push(self.written.at_key(&path.key(written_last), message));
+        // keys that exclude each other: one set in `not`, or several in `allOf`
+        let several = schema.get("allOf").and_then(Json::as_array).into_iter().flatten().map(|rule| rule.get("not"));
+        for excluded in several.chain([schema.get("not")]).flatten() {
+            let exclusive: Vec<&str> = strings(excluded.get("required")).collect();
+            if !exclusive.is_empty() && exclusive.iter().all(|key| table.get(key).is_some()) {
+                let written_last = table.keys().filter(|key| exclusive.contains(key)).last().unwrap_or_default();
+                let message = format!("expected only one of `{}`", exclusive.join("` and `"));
+                self.found.push(self.written.at_key(&path.key(written_last), message));
+            }
         }
     }
 

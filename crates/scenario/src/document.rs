@@ -8,6 +8,7 @@ use crate::file_source::FileSource;
 use crate::files::Files;
 use crate::library::{self, FromLibrary};
 use crate::path::Path;
+use crate::per_length;
 use crate::rules;
 use crate::scenario::Scenario;
 use crate::text_file::read_text;
@@ -60,6 +61,7 @@ impl Document {
             Err(faults) => return Err(Diagnostics::fail_if_any(faults).unwrap_err()),
         };
         found.extend(check::check(&written));
+        per_length::over_section(&mut written.tree);
         let library = library::fill(&mut written.tree);
         found.extend(rules::check(&written));
         let files = Files::read(&written, &mut found);

@@ -40,6 +40,7 @@ mod nearest;
 mod orbit;
 mod overrides;
 pub mod path;
+mod per_length;
 pub mod quantity;
 mod record;
 mod rope;

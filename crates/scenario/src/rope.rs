@@ -5,17 +5,27 @@ use serde::{Deserialize, Serialize};
 
 use crate::interval::{Fraction, NonNegative, Positive};
 use crate::library::rope_names;
-use crate::quantity::{BendingStiffness, Density, Force, Length, Number, Pressure, Time};
+use crate::quantity::{BendingStiffness, Density, Force, Length, LinearDensity, Number, Pressure, Time};
 use crate::rope_law::{RopeBreaking, RopeLaw};
 
-/// A rope. Give `material`, or both `density` and `elastic_modulus`. Give at most one of `damping_time` and
-/// `damping_ratio`; with neither, the damping ratio is 0.05.
+/// A rope. Give `material`, or both its mass, by `density` or `linear_density`, and its stiffness, by `elastic_modulus` or
+/// `axial_stiffness`. Give at most one of `damping_time` and `damping_ratio`; with neither, the damping ratio is 0.05.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
-    "not" = {"required": ["damping_time", "damping_ratio"]},
+    "allOf" = [
+        {"not": {"required": ["damping_time", "damping_ratio"]}},
+        {"not": {"required": ["density", "linear_density"]}},
+        {"not": {"required": ["elastic_modulus", "axial_stiffness"]}}
+    ],
     "required" = ["diameter"],
-    "anyOf" = [{"required": ["material"]}, {"required": ["density", "elastic_modulus"]}]
+    "anyOf" = [
+        {"required": ["material"]},
+        {"required": ["linear_density", "axial_stiffness"]},
+        {"required": ["linear_density", "elastic_modulus"]},
+        {"required": ["density", "axial_stiffness"]},
+        {"required": ["density", "elastic_modulus"]}
+    ]
 ))]
 pub struct Rope {
     /// Name of a rope in the library of materials. It supplies the density, elastic modulus and strength that are not
@@ -31,16 +41,24 @@ pub struct Rope {
     /// Elastic modulus E of the rope on its nominal section, Pa. It is less than that of the fibres. Default: that of
     /// `material`.
     pub elastic_modulus: Pressure<Positive>,
+    /// Mass per length, kg/m, as catalogues state it, in place of `density`, which is this over the nominal section. Default:
+    /// none.
+    // none after reading, as for `material`
+    #[serde(default, skip_serializing)]
+    pub linear_density: Option<LinearDensity<Positive>>,
+    /// Axial stiffness EA, N, as catalogues state it, in place of `elastic_modulus`, which is this over the nominal section.
+    /// Other moduli, of the rope's `law`, are over that section too. Default: none.
+    #[serde(default, skip_serializing)]
+    pub axial_stiffness: Option<Force<Positive>>,
     /// Damping by internal friction of the material, as a time t, s. The damper of a segment is c = E A t / rest
     /// length. Default: none; `damping_ratio` applies.
     pub damping_time: Option<Time<NonNegative>>,
     /// Damping of each segment as a fraction of critical damping: c = 2 ratio sqrt(k m), with its mass m and its
     /// stiffness k from the elastic modulus. Default: 0.05, unless `damping_time` is given.
     pub damping_ratio: Option<Number<NonNegative>>,
-    /// Bending stiffness EI between the segments of a rope, N m^2. It acts at
-    /// nodes inside the rope, at knots where just two such ropes meet in line, to 30 degrees, and at `hold.clamped`; other
-    /// knots turn freely. A solid rod has E pi d^4 / 64,
-    /// a rope a small part of that. Default: none.
+    /// Bending stiffness EI between the segments of a rope, N m^2. It acts at nodes inside the rope, at knots where just two
+    /// such ropes meet in line, to 30 degrees, and at `hold.clamped`; other knots turn freely. A solid rod has
+    /// E pi d^4 / 64, a rope a small part of that. Default: none.
     pub bending_stiffness: Option<BendingStiffness<Positive>>,
     /// Tension of the rope in the web as drawn, N. Default: 0 N.
     #[serde(default = "default_pretension")]

@@ -3,9 +3,11 @@
 use schemars::{Schema, SchemaGenerator, json_schema};
 
 use super::{Fibre, RopeMaterial, library, three_digits};
+use crate::dimension::unit;
 use crate::interval::Positive;
 use crate::path::Path;
-use crate::quantity::{Density, Force, Length};
+use crate::per_length::read;
+use crate::quantity::{Density, Force};
 use crate::tree::{Entry, Node, Table, Tree, Value};
 
 /// A value that the library supplies to a scenario.
@@ -125,13 +127,8 @@ fn gigapascals(modulus: f64) -> String {
 /// The breaking load, which follows from the diameter. `None` where the diameter cannot be read; the check reports
 /// that.
 fn strength(material: &RopeMaterial, table: &Table) -> Option<Known> {
-    let diameter = match &table.get("diameter")?.value {
-        Value::String(text) => Length::<Positive>::from_text(text).ok()?,
-        Value::Float(si) => Length::from_si(*si).ok()?,
-        Value::Integer(si) => Length::from_si(*si as f64).ok()?,
-        _ => return None,
-    };
-    let load = Force::<Positive>::from_si(material.breaking_load(diameter.si())).ok()?;
+    let diameter = read::<unit::Metre>(table.get("diameter")?)?;
+    let load = Force::<Positive>::from_si(material.breaking_load(diameter)).ok()?;
     Some(("strength", load.to_string(), material.strength.sources.clone()))
 }
 
