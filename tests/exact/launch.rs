@@ -45,6 +45,33 @@ fn moving_mass(model: &Model) -> f64 {
     model.system.mass()[model.tractors[0]]
 }
 
+/// Splayed tubes: the velocity of each tractor is at the spread to the axis, with the axial speed along it.
+#[test]
+fn a_spread_turns_the_flight_of_each_tractor_from_the_axis() {
+    let launch = "[launch]\naxial_speed = \"30 m/s\"\nspread = \"20 deg\"\nelevation = \"40 deg\"\n\
+                  [[tractors]]\ncorner = 2\nspread = \"35 deg\"\n[[tractors]]\ncorner = 3\naxial_speed = \"50 m/s\"\n\
+                  [[tractors]]\ncorner = 4\nradial_speed = \"5 m/s\"\n";
+    let model = Model::new(&read(net(launch))).unwrap();
+    let axis = model.axis();
+    let found = model.tractors.iter().map(|&node| {
+        let velocity = model.state.velocity[node];
+        (velocity.dot(axis), velocity.angle_between(axis).to_degrees())
+    });
+    let exact = [(30.0, 20.0), (30.0, 35.0), (50.0, 20.0), (30.0, f64::atan2(5.0, 30.0).to_degrees())];
+    for ((along, angle), (exact_along, exact_angle)) in found.zip(exact) {
+        assert_close("speed along the axis, m/s", along, exact_along, 1e-12);
+        assert_close("angle to the axis, deg", angle, exact_angle, 1e-9);
+    }
+    let wrong = |launch: &str| {
+        let source = Source { name: "net.toml".into(), text: net(launch) };
+        Document::parse(source, "".as_ref(), &[]).unwrap_err().to_string()
+    };
+    let both = wrong("[launch]\naxial_speed = 30\nradial_speed = 3\nspread = \"20 deg\"\n");
+    assert!(both.contains("expected only one of `radial_speed` and `spread`"), "{both}");
+    let idle = wrong("[launch]\nspread = \"20 deg\"\n");
+    assert!(idle.contains("which is not given"), "{idle}");
+}
+
 #[test]
 fn a_spring_in_a_tube_gives_its_work_and_takes_the_recoil() {
     let tube = "[launch.tube]\nstroke = \"0.1 m\"\ncant = \"30 deg\"\n\

@@ -118,6 +118,8 @@ intervals! {
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
     /// Angles of more than 0 and at most 360 deg.
     WholeTurn: Bound::Excluded(0.0), Bound::Included(TAU);
+    /// Angles of a flight to its axis: from 0 to less than 90 deg.
+    Splay: Bound::Included(0.0), Bound::Excluded(FRAC_PI_2);
     /// Elevations from straight down to straight up: -90 deg to 90 deg.
     QuarterTurns: Bound::Included(-FRAC_PI_2), Bound::Included(FRAC_PI_2);
 }

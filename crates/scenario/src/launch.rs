@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
-use crate::interval::{NonNegative, Positive, QuarterTurns};
+use crate::interval::{NonNegative, Positive, QuarterTurns, Splay};
 use crate::quantity::{Angle, AngularSpeed, Force, Length, Number, Speed, Time};
 use crate::tractor::TractorOverride;
 use crate::written::Written;
@@ -16,11 +16,18 @@ use crate::written::Written;
 /// `[launch]`: how the tractors are thrown. Default: nothing is launched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
+#[schemars(extend("not" = {"required": ["radial_speed", "spread"]}))]
 pub struct Launch {
     /// Speed of the tractors along the launch axis, m/s. Default: 0 m/s.
     pub axial_speed: Speed,
     /// Speed of each tractor away from the launch axis, in the direction of its corner, m/s. Default: 0 m/s.
     pub radial_speed: Speed,
+    /// Angle between the flight of each tractor and the launch axis, as of a launcher with splayed tubes, rad: the radial speed
+    /// is then `axial_speed` times its tangent. A tube that is turned by its own force has `tube.cant` instead. Default: none;
+    /// `radial_speed` applies.
+    // none after reading: `radial_speed` then has its value
+    #[serde(skip_serializing)]
+    pub spread: Option<Angle<Splay>>,
     /// Elevation of the launch axis above the horizontal, rad. Default: 90 deg, straight up.
     pub elevation: Angle<QuarterTurns>,
     /// Azimuth of the launch axis, anticlockwise from x, rad. Default: 0 deg.
@@ -131,6 +138,7 @@ impl Default for Launch {
         Self {
             axial_speed: Speed::constant(0.0),
             radial_speed: Speed::constant(0.0),
+            spread: None,
             elevation: Angle::constant(FRAC_PI_2),
             azimuth: Angle::constant(0.0),
             spin: AngularSpeed::constant(0.0),
@@ -147,7 +155,19 @@ impl Default for Scatter {
     }
 }
 
+/// The radial speed, m/s, of a flight at this angle to the axis, rad.
+pub(crate) fn radial(axial_speed: Speed, spread: Angle<Splay>) -> Speed {
+    Speed::constant(axial_speed.si() * libm::tan(spread.si()))
+}
+
 impl Launch {
+    /// Puts the radial speed in the place of a spread.
+    pub(crate) fn complete(&mut self) {
+        if let Some(spread) = self.spread.take() {
+            self.radial_speed = radial(self.axial_speed, spread);
+        }
+    }
+
     /// The launch of `tractor`, with the speeds and angles that are given for it.
     pub(crate) fn with(&self, tractor: &TractorOverride) -> Self {
         Self {

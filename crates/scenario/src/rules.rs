@@ -25,6 +25,7 @@ pub(crate) fn check(written: &Written) -> Vec<Diagnostic> {
     check_polygon(written, &mut found);
     check_canopies(written, &mut found);
     check_tractors(written, &mut found);
+    check_spread(written, &mut found);
     check_run_and_statics(written, &mut found);
     check_orbit(written, &mut found);
     check_loads_and_drives(written, &mut found);
@@ -64,6 +65,24 @@ fn check_assigned_ropes(written: &Written, found: &mut Vec<Diagnostic>) {
     for entry in table_at(written, "assign").into_iter().flat_map(|assign| &assign.0) {
         if let Some((message, help)) = entry.node.value.as_text().and_then(|name| unknown_rope(written, name)) {
             found.push(written.at_value(&Path::default().key("assign").key(&entry.key), message).with_help(help));
+        }
+    }
+}
+
+/// A spread turns the flight at an axial speed: without one it has no effect.
+fn check_spread(written: &Written, found: &mut Vec<Diagnostic>) {
+    let launch = Path::parse("launch");
+    let given = |path: &Path| written.tree.get(path).is_some();
+    let tractors = written.tree.get(&Path::parse("tractors")).and_then(|node| match &node.value {
+        Value::Array(tractors) => Some(tractors.len()),
+        _ => None,
+    });
+    let own = (0..tractors.unwrap_or(0)).map(|index| Path::parse("tractors").index(index));
+    for table in [launch.clone()].into_iter().chain(own) {
+        let spread = table.key("spread");
+        if given(&spread) && !given(&table.key("axial_speed")) && !given(&launch.key("axial_speed")) {
+            let message = "a spread turns the flight at `axial_speed`, which is not given";
+            found.push(written.at_key(&spread, message));
         }
     }
 }

@@ -156,6 +156,12 @@ impl Scenario {
         if let Some(canopy) = &mut self.canopy {
             canopy.complete();
         }
+        for tractor in &mut self.tractors {
+            tractor.complete(self.launch.as_ref());
+        }
+        if let Some(launch) = &mut self.launch {
+            launch.complete();
+        }
         self.environment.complete();
         let thickest = self.thickest_rope();
         if let Some(stowage) = &mut self.stow {

@@ -18,7 +18,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::body::{Body, Cuboid, Cylinder, Particle, Sphere};
-use crate::interval::{NonNegative, QuarterTurns};
+use crate::interval::{NonNegative, QuarterTurns, Splay};
+use crate::launch::{Launch, radial};
 use crate::quantity::{Angle, Length, Speed, Time};
 
 /// `[traction_rope]`: the ropes from a corner of the web to its tractor.
@@ -58,7 +59,10 @@ pub enum TiedAt {
 /// `[traction_rope]` and `[launch]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("not" = {"required": ["tied_at", "tie_point"]}))]
+#[schemars(extend("allOf" = [
+    {"not": {"required": ["tied_at", "tie_point"]}},
+    {"not": {"required": ["radial_speed", "spread"]}}
+]))]
 pub struct TractorOverride {
     /// The corner that the tractor is tied to, counted from 1.
     pub corner: NonZeroU32,
@@ -79,6 +83,10 @@ pub struct TractorOverride {
     pub axial_speed: Option<Speed>,
     /// Speed away from the launch axis, m/s. Default: as in `[launch]`.
     pub radial_speed: Option<Speed>,
+    /// Angle between its flight and its launch axis, in place of `radial_speed`, rad. Default: as in `[launch]`.
+    // none after reading, as in `[launch]`
+    #[serde(default, skip_serializing)]
+    pub spread: Option<Angle<Splay>>,
     /// Elevation of its launch axis above the horizontal, rad. Default: as in `[launch]`.
     pub elevation: Option<Angle<QuarterTurns>>,
     /// Azimuth of its launch axis, anticlockwise from x, rad. Default: as in `[launch]`.
@@ -88,6 +96,15 @@ pub struct TractorOverride {
 }
 
 impl TractorOverride {
+    /// Puts the radial speed in the place of a spread, its own or that of `launch`.
+    pub(crate) fn complete(&mut self, launch: Option<&Launch>) {
+        let common = launch.and_then(|launch| launch.spread).filter(|_| self.radial_speed.is_none());
+        if let Some(spread) = self.spread.take().or(common) {
+            let axial_speed = self.axial_speed.or(launch.map(|launch| launch.axial_speed));
+            self.radial_speed = Some(radial(axial_speed.unwrap_or(Speed::constant(0.0)), spread));
+        }
+    }
+
     /// The shape given here. A cylinder takes the sizes that are left out from `base`.
     pub(crate) fn body(&self, base: Option<&Body>) -> Option<Body> {
         let cylinder = self.cylinder.as_ref().map(|cylinder| match base {
