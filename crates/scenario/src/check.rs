@@ -1,5 +1,7 @@
 //! Checks the text of a scenario against its schema, and collects every fault.
 
+use std::f64::consts::TAU;
+
 use serde_json::{Map, Value as Json};
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -71,8 +73,22 @@ impl Check<'_> {
             Value::Float(number) => kind.read_number(*number, &interval).map_err(|error| error.to_string()),
             other => Err(format!("expected {}, found {}", kind.expected(&interval), other.describe())),
         };
-        if let Err(message) = read {
-            self.at_value(path, message, word.map(|word| format!("or write {word:?}")));
+        let bare = match node.value {
+            Value::Integer(number) => Some(number as f64),
+            Value::Float(number) => Some(number),
+            _ => None,
+        };
+        let degrees = bare.filter(|number| kind.name == "angle" && number.abs() > TAU);
+        let in_degrees = degrees.map(|number| format!("a bare number is in radians; write \"{number} deg\""));
+        match (read, in_degrees) {
+            (Err(message), help) => {
+                self.at_value(path, message, help.or(word.map(|word| format!("or write {word:?}"))));
+            }
+            (Ok(_), Some(help)) => {
+                let message = format!("expected {}, found more than a turn", kind.expected(&interval));
+                self.at_value(path, message, Some(help));
+            }
+            (Ok(_), None) => {}
         }
     }
 
@@ -136,7 +152,15 @@ impl Check<'_> {
             return;
         }
         let listed: Vec<String> = choices.iter().map(|choice| format!("{choice:?}")).collect();
-        let help = text.and_then(|text| nearest(text, choices)).map(|near| format!("did you mean {near:?}?"));
+        let near = text.and_then(|text| nearest(text, choices)).map(|near| vec![near]);
+        // a part of a name, such as a fibre, finds the names that have it
+        let with_it = |text: &str| {
+            let part = text.to_lowercase();
+            let named = choices.iter().filter(|choice| part.len() > 2 && choice.to_lowercase().contains(&part));
+            named.map(|choice| (*choice).to_owned()).collect::<Vec<_>>()
+        };
+        let near = near.or_else(|| text.map(with_it)).filter(|near| !near.is_empty());
+        let help = near.map(|near| format!("did you mean \"{}\"?", near.join("\" or \"")));
         self.at_value(path, format!("expected {}, found {}", listed.join(" or "), node.value.describe()), help);
     }
 
@@ -205,6 +229,18 @@ impl Check<'_> {
             return self.found.push(self.written.at_key(path, message));
         }
         let listed = || format!("known here: {}", known.join(", "));
+        let ours =
+            OTHER_WORDS.iter().filter(|(word, ours)| *word == key && known.contains(ours)).map(|(_, ours)| *ours);
+        let ours: Vec<&str> = ours.collect();
+        let help = help.or_else(|| {
+            let of_muzzle = key == "height" && path.parent().to_string() == "launch";
+            let elsewhere = of_muzzle.then(|| {
+                "the muzzle is at height 0; `environment.ground.height = \"-2 m\"` puts the ground 2 m below it"
+                    .to_owned()
+            });
+            elsewhere
+                .or((!ours.is_empty()).then(|| format!("netcast calls it `{}`; {}", ours.join("` or `"), listed())))
+        });
         let help = help.unwrap_or_else(|| match (nearest(key, &known), find_key(schema(), key).as_slice()) {
             (Some(near), _) => format!("did you mean `{near}`? {}", listed()),
             (None, []) => listed(),
@@ -220,6 +256,23 @@ impl Check<'_> {
         self.found.push(self.written.at_value(path, message).with_help_if(help));
     }
 }
+
+/// Words that people write, and keys that they may mean.
+const OTHER_WORDS: [(&str, &str); 13] = [
+    ("speed", "axial_speed"),
+    ("velocity", "axial_speed"),
+    ("angle", "elevation"),
+    ("pitch", "elevation"),
+    ("direction", "azimuth"),
+    ("heading", "azimuth"),
+    ("splay", "spread"),
+    ("weight", "mass"),
+    ("bullet", "tractor"),
+    ("bullets", "tractor"),
+    ("projectile", "tractor"),
+    ("thickness", "diameter"),
+    ("stiffness", "axial_stiffness"),
+];
 
 /// The keys that `table` lacks of the alternative sets of keys in `schema`, such as a material or its values: the
 /// last set where no set is complete, else nothing.

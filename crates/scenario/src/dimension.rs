@@ -80,7 +80,7 @@ impl Kind {
         let measure = units::parse(text).map_err(|error| QuantityError::Unreadable {
             expected: self.expected(interval),
             text: text.to_string(),
-            error,
+            error: self.of_speed(error),
         })?;
         if measure.dimension != self.dimension {
             return Err(QuantityError::Dimension {
@@ -90,6 +90,16 @@ impl Kind {
             });
         }
         self.admit(measure.si, interval, format!("{text:?}"))
+    }
+
+    /// Of a speed, `kn` stands for knots, not for kilonewtons.
+    fn of_speed(&self, error: UnitError) -> UnitError {
+        match error {
+            UnitError::Unknown { unit, .. } if self.name == "speed" && ["kn", "kt", "kts"].contains(&&unit[..]) => {
+                UnitError::Unknown { unit, nearest: Some("knots".into()) }
+            }
+            other => other,
+        }
     }
 
     /// Checks a bare number, which is in SI units.

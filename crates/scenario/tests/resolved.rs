@@ -72,7 +72,7 @@ proptest! {
             [rope]\ndiameter = \"{diameter:?} m\"\ndensity = 970\nelastic_modulus = {modulus:?}\n{ratio}\n\
             [ropes]\nx = {{diameter = 1, density = 2, elastic_modulus = 3}}\n[assign]\n{key} = \"x\"\n\
             [tractor.cylinder]\n[[tractors]]\ncorner = {corner}\n[tractors.particle]\nmass = {mass:?}\n\
-            {stow}\n[launch]\nazimuth = {azimuth:?}\n[solve]\nduration = {duration:?}\n", key = name);
+            {stow}\n[launch]\nazimuth = \"{azimuth:?} rad\"\n[solve]\nduration = {duration:?}\n", key = name);
         let document = parse(&text, &[]).map_err(|wrong| TestCaseError::fail(format!("{wrong}\n{text}")))?;
         let resolved = resolved_toml(&document.scenario);
         let again = parse(&resolved, &[]).map_err(|wrong| TestCaseError::fail(format!("{wrong}\n{resolved}")))?;

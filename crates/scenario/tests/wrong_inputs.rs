@@ -44,6 +44,36 @@ fn a_wrong_number_of_sides_is_reported_with_the_other_faults() {
     assert!(found.iter().any(|message| message.contains("no such")), "{found:#?}");
 }
 
+/// Words of the field that are no keys of ours, units of two meanings, and angles that were meant in degrees.
+#[test]
+fn words_that_people_write_are_answered_with_ours() {
+    let speed = "axial_speed = \"50 m/s\"";
+    for (written, answer) in [
+        ("speed = 50", "netcast calls it `axial_speed`"),
+        ("angle = 1", "netcast calls it `elevation`"),
+        ("direction = 1", "netcast calls it `azimuth`"),
+        ("height = 2", "`environment.ground.height = \"-2 m\"`"),
+        ("axial_speed = \"8 kn\"", "did you mean \"knots\"?"),
+        ("azimuth = 45", "a bare number is in radians; write \"45 deg\""),
+    ] {
+        let told = fault_after(speed, written);
+        assert!(told.contains(answer), "{written}: {told}");
+    }
+    assert!(fault_after("elevation = \"90 deg\"", "elevation = 45").contains("write \"45 deg\""));
+    let top = wrong(
+        "bullet.mass = 1\nweb.square = { side = 1, mesh = 0.1 }\nsolve.duration = 1\n\
+                     rope = { diameter = 0.01, material = \"UHMWPE\" }\ntractor.particle.weight = 1\n",
+        &[],
+    )
+    .join("\n");
+    for answer in ["netcast calls it `tractor`", "did you mean \"UHMWPE rope\"", "netcast calls it `mass`"] {
+        assert!(top.contains(answer), "{answer}: {top}");
+    }
+    // forces in kilonewtons keep their hint
+    let force = wrong("rope = { diameter = 0.01, material = \"nylon rope\", strength = \"8 kn\" }\n", &[]).join("\n");
+    assert!(force.contains("did you mean \"kN\"?"), "{force}");
+}
+
 #[test]
 fn a_wrong_dimension_is_named() {
     assert_eq!(
@@ -227,7 +257,7 @@ fn a_fault_of_an_override_shows_the_override() {
         wrong(CONTRACT, &["launch.axal_speed=60 m/s"]),
         [
             "--set launch.axal_speed=60 m/s: launch.axal_speed: unknown key `axal_speed` (did you mean `axial_speed`? known \
-          here: axial_speed, radial_speed, elevation, azimuth, spin, attitude, tube, scatter)"
+          here: axial_speed, radial_speed, spread, elevation, azimuth, spin, attitude, tube, scatter)"
         ]
     );
     assert!(
