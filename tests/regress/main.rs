@@ -10,5 +10,6 @@ mod lengths;
 mod out_of_range;
 mod records;
 mod resume;
+mod silences;
 mod truncated;
 mod verdicts;

@@ -8,10 +8,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
-use crate::interval::{NonNegative, Within};
+use crate::interval::{Any, NonNegative, Within};
 use crate::path::Path;
-use crate::quantity::{Length, Time};
+use crate::quantity::{Length, Number, Time};
 use crate::selection::Selection;
+use crate::shift::Shift;
 use crate::tree::Table;
 use crate::written::Written;
 
@@ -22,7 +23,11 @@ use crate::written::Written;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[schemars(extend(
-    "not" = {"required": ["path", "file"]},
+    "allOf" = [
+        {"not": {"required": ["path", "file"]}},
+        {"not": {"required": ["path", "time_offset"]}},
+        {"not": {"required": ["path", "scale"]}}
+    ],
     "anyOf" = [{"required": ["file"]}, {"required": ["path"]}]
 ))]
 pub struct Drive {
@@ -32,6 +37,12 @@ pub struct Drive {
     /// this or `path`.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
+    /// What is added to the times of the file, s. Default: 0 s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_offset: Option<Time>,
+    /// What the displacements of the file are multiplied by. Default: 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Number>,
     /// The nodes that are moved.
     // flattening loses no place in the file: places come from the check of the schema
     #[serde(flatten)]
@@ -82,10 +93,14 @@ pub(crate) fn read_paths(
     for name in names {
         let file = drives.key(name).key("file").to_string();
         let Some(mut table) = CsvTable::read(written, &file, &["t", "x", "y", "z"], &[], found) else { continue };
+        let shift = Shift::beside(written, &Path::parse(&file));
         let mut before = None;
         let rows = table.rows(found, |cells| {
-            let (time, by) = (cells.optional_number("t", &NonNegative::INTERVAL), cells.position());
-            let row = PathRow { time_s: time?.unwrap_or(0.0), displacement_m: by? };
+            let (time, by) = (cells.optional_number("t", &Any::INTERVAL), cells.position());
+            let row = PathRow { time_s: shift.time(time?.unwrap_or(0.0)), displacement_m: shift.vector(by?) };
+            if row.time_s < 0.0 {
+                cells.fault_in("t", format!("t: expected a time of at least 0, found {} s", row.time_s), None);
+            }
             if let Some(why) = misplaced(row.time_s, row.displacement_m, before) {
                 cells.fault_in("t", format!("t: {why}"), None);
             }

@@ -9,7 +9,9 @@ use serde::{Deserialize, Serialize};
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
 use crate::interval::{NonNegative, Positive, QuarterTurns, Splay};
+use crate::path::Path;
 use crate::quantity::{Angle, AngularSpeed, Force, Length, Number, Speed, Time};
+use crate::shift::Shift;
 use crate::tractor::TractorOverride;
 use crate::written::Written;
 
@@ -82,7 +84,7 @@ pub struct Tube {
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
     "anyOf" = [{"required": ["file"]}, {"required": ["at", "force"]}],
-    "not" = {"required": ["at", "file"]}
+    "allOf" = [{"not": {"required": ["at", "file"]}}, {"not": {"required": ["at", "scale"]}}]
 ))]
 pub struct StrokeForce {
     /// Distances in the tube, m, in ascending order. Give `at` and `force`, or `file`.
@@ -92,6 +94,9 @@ pub struct StrokeForce {
     /// CSV file with columns stroke, in m, and force, in N. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
+    /// What the forces of the file are multiplied by. Default: 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Number<NonNegative>>,
 }
 
 /// A force as a function of time, given by points here or in a file. It is linear between two points, constant before
@@ -100,7 +105,11 @@ pub struct StrokeForce {
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
     "anyOf" = [{"required": ["file"]}, {"required": ["at", "force"]}],
-    "not" = {"required": ["at", "file"]}
+    "allOf" = [
+        {"not": {"required": ["at", "file"]}},
+        {"not": {"required": ["at", "time_offset"]}},
+        {"not": {"required": ["at", "scale"]}}
+    ]
 ))]
 pub struct TimeForce {
     /// Times since firing, s, in ascending order. Give `at` and `force`, or `file`.
@@ -110,6 +119,12 @@ pub struct TimeForce {
     /// CSV file with columns time, in s, and force, in N. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: Option<PathBuf>,
+    /// What is added to the times of the file, s. Default: 0 s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_offset: Option<Time>,
+    /// What the forces of the file are multiplied by. Default: 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Number<NonNegative>>,
 }
 
 /// `[launch.scatter]`: normally distributed deviations, independent for each tractor. The same seed gives the same
@@ -198,10 +213,11 @@ pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
         if table.is_empty() {
             found.push(table.whole("the file has no points"));
         }
+        let shift = Shift::beside(written, &Path::parse(&path));
         let mut last = None;
         Some(table.rows(found, |cells| {
             let (at, force) = (cells.number(column), cells.number("force"));
-            let row = PushRow { at: at?, force_n: force? };
+            let row = PushRow { at: shift.time(at?), force_n: shift.scale * force? };
             if row.at < 0.0 || last.is_some_and(|last| row.at <= last) {
                 cells.fault_in(
                     column,

@@ -49,6 +49,7 @@ mod rules;
 mod scenario;
 pub mod schema;
 mod selection;
+mod shift;
 mod solve;
 mod stow;
 mod tables;

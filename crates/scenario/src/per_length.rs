@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::dimension::{Measured, unit};
-use crate::interval::Positive;
+use crate::interval::{Positive, Within};
 use crate::quantity::Quantity;
 use crate::tree::{Node, Table, Tree, Value};
 
@@ -28,11 +28,11 @@ pub(crate) fn over_section(tree: &mut Tree) {
 }
 
 fn convert(rope: &mut Table) {
-    let Some(diameter) = rope.get("diameter").and_then(read::<unit::Metre>) else { return };
+    let Some(diameter) = rope.get("diameter").and_then(read::<unit::Metre, Positive>) else { return };
     let section = 0.25 * PI * diameter * diameter;
     let per_length: [(&str, &str, fn(&Node) -> Option<f64>); 2] = [
-        ("linear_density", "density", read::<unit::KilogramPerMetre>),
-        ("axial_stiffness", "elastic_modulus", read::<unit::Newton>),
+        ("linear_density", "density", read::<unit::KilogramPerMetre, Positive>),
+        ("axial_stiffness", "elastic_modulus", read::<unit::Newton, Positive>),
     ];
     for (given, meant, read) in per_length {
         if rope.get(meant).is_some() {
@@ -48,10 +48,10 @@ fn convert(rope: &mut Table) {
     }
 }
 
-/// The value of a positive quantity, in SI; none where the node holds no such quantity.
-pub(crate) fn read<U: Measured>(node: &Node) -> Option<f64> {
+/// The value of a quantity, in SI; none where the node holds no such quantity.
+pub(crate) fn read<U: Measured, I: Within>(node: &Node) -> Option<f64> {
     let read = match &node.value {
-        Value::String(text) => Quantity::<U, Positive>::from_text(text),
+        Value::String(text) => Quantity::<U, I>::from_text(text),
         Value::Float(si) => Quantity::from_si(*si),
         Value::Integer(si) => Quantity::from_si(*si as f64),
         _ => return None,

@@ -66,6 +66,9 @@ pub struct TableLaw {
     /// tension, N, on the way back from the last row. The path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
+    /// What the tensions of the file are multiplied by, such as 3 for a rope of three of its strands. Default: 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Number<Positive>>,
     /// What happens beyond the last row. Default: extend.
     #[serde(default, skip_serializing_if = "BeyondTable::is_default")]
     pub beyond: BeyondTable,

@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
 use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
+use crate::path::Path;
 use crate::quantity::{Angle, Length, Number, Speed, Time};
+use crate::shift::Shift;
 use crate::written::Written;
 
 /// `[environment.wind]`: a mean `speed`, uniform or with a profile, with optional gust and turbulence; or a measured
@@ -158,6 +160,12 @@ pub struct WindSeries {
     /// path is relative to the scenario.
     #[schemars(extend("x-file" = true))]
     pub file: PathBuf,
+    /// What is added to the times of the file, s: "-1000 s" for a clock that shows 1000 s at the start. Default: 0 s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_offset: Option<Time>,
+    /// What the velocities of the file are multiplied by. Default: 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Number>,
 }
 
 /// A row of the file of `[environment.wind.series]`.
@@ -178,10 +186,11 @@ pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
     if table.is_empty() {
         found.push(table.whole("the file has no rows"));
     }
+    let shift = Shift::beside(written, &Path::parse("environment.wind.series.file"));
     let mut before = None;
     Some(table.rows(found, |cells| {
         let [time, vx, vy, vz] = ["t", "vx", "vy", "vz"].map(|column| cells.number(column));
-        let row = WindRow { time_s: time?, velocity_m_s: [vx?, vy?, vz?] };
+        let row = WindRow { time_s: shift.time(time?), velocity_m_s: shift.vector([vx?, vy?, vz?]) };
         if before.is_some_and(|before| row.time_s <= before) {
             cells.fault_in("t", "t: expected a time after that of the line before".into(), None);
         }

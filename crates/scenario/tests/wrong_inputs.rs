@@ -54,12 +54,13 @@ fn words_that_people_write_are_answered_with_ours() {
         ("direction = 1", "netcast calls it `azimuth`"),
         ("height = 2", "`environment.ground.height = \"-2 m\"`"),
         ("axial_speed = \"8 kn\"", "did you mean \"knots\"?"),
-        ("azimuth = 45", "a bare number is in radians; write \"45 deg\""),
     ] {
         let told = fault_after(speed, written);
         assert!(told.contains(answer), "{written}: {told}");
     }
     assert!(fault_after("elevation = \"90 deg\"", "elevation = 45").contains("write \"45 deg\""));
+    let bare = wrong(&CONTRACT.replace("azimuth = \"0 deg\"", "azimuth = 45"), &[]).join("\n");
+    assert!(bare.contains("a bare number is in radians; write \"45 deg\""), "{bare}");
     let top = wrong(
         "bullet.mass = 1\nweb.square = { side = 1, mesh = 0.1 }\nsolve.duration = 1\n\
                      rope = { diameter = 0.01, material = \"UHMWPE\" }\ntractor.particle.weight = 1\n",

@@ -33,7 +33,11 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
         (None, None) => {
             let length = two_digits(web.reach() / SEGMENTS_PER_RADIUS);
             scenario.solve.segment_length = Some(Length::constant(length));
-            notes.push(format!("ropes are cut into segments of about {length} m, as solve.segment_length is left out"));
+            if web.ropes.iter().any(|rope| rope.segments.is_none()) {
+                notes.push(format!(
+                    "ropes are cut into segments of about {length} m, as solve.segment_length is left out"
+                ));
+            }
             length
         }
     };

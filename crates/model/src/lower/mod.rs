@@ -22,6 +22,7 @@ mod drives;
 mod exposure;
 mod ground;
 mod launch;
+mod listed;
 mod loads;
 pub(crate) mod material;
 pub(crate) mod members;

@@ -10,6 +10,7 @@ use super::assignment;
 use super::draft::Draft;
 use super::drawing::two_digits;
 use super::exposure;
+use super::listed;
 use super::members::Group;
 use super::silences;
 use super::stepping::largest_dt;
@@ -23,6 +24,7 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
         notes.push("the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned());
     }
     notes.extend(launched_and_held(system, throws));
+    notes.extend(document.files.graph.iter().flat_map(|files| listed::notes(scenario, files)));
     let gravity = system.environment().gravity.length();
     notes.extend(exposure::notes(scenario, gravity, air.as_ref(), *falls));
     notes.extend(never_moves(system, state));
@@ -31,6 +33,7 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     }
     let dt = largest_dt(scenario, limit);
     let end = scenario.solve.run_time().unwrap_or(0.0);
+    silences::require_some_wind(document, end)?;
     notes.extend(silences::notes(document, scenario, throws, air.as_ref(), dt, end));
     Ok(())
 }

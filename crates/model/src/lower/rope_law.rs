@@ -25,7 +25,10 @@ pub fn law(document: &Document, path: &Path, rope: &Rope) -> Result<Law, Diagnos
         }
         RopeLaw::Table(table) => {
             let file = document.files.laws.get(&table.file).expect("a document has read the tables of its ropes");
-            let law = Tabulated::new(&file.strain, &file.tension, file.unloading.as_deref());
+            let scale = table.scale.map_or(1.0, |scale| scale.si());
+            let scaled = |tension: &Vec<f64>| tension.iter().map(|tension| scale * tension).collect::<Vec<f64>>();
+            let (tension, unloading) = (scaled(&file.tension), file.unloading.as_ref().map(scaled));
+            let law = Tabulated::new(&file.strain, &tension, unloading.as_deref());
             let wrong = |error: TableError| file.at_row(error.row().unwrap_or(0), &error.to_string());
             let law = law.map_err(wrong)?;
             Law::Tabulated(Arc::new(if table.beyond == BeyondTable::Stop { law.stopping() } else { law }))

@@ -1,6 +1,6 @@
 //! Notes on input that has no effect, or whose range the run leaves.
 
-use netcast_scenario::{Document, Scenario, WindRow};
+use netcast_scenario::{Diagnostics, Document, Scenario, WindRow};
 
 use super::air_outline::AirOutline;
 use super::throw::Throw;
@@ -32,7 +32,46 @@ pub fn notes(
     ]
     .into_iter()
     .flatten()
+    .chain(drives_not_covered(document, scenario, end))
     .collect()
+}
+
+/// A measured wind of which the run takes nothing.
+///
+/// # Errors
+/// With both ranges.
+pub fn require_some_wind(document: &Document, end: f64) -> Result<(), Diagnostics> {
+    let Some([first, .., last]) = document.files.wind.as_deref() else { return Ok(()) };
+    let (from, to) = (first.time_s, last.time_s);
+    if end <= 0.0 || (from <= end && to >= 0.0) {
+        return Ok(());
+    }
+    let message = format!("the wind series covers {from} s to {to} s, and the run takes 0 s to {end} s: nothing of it");
+    let help = format!("`time_offset = \"{} s\"` beside the file starts the run at its first row", -from);
+    Err(document.diagnostic("environment.wind.series.file", message).with_help(help).into())
+}
+
+/// Drives whose path goes on after the end of the run.
+fn drives_not_covered(document: &Document, scenario: &Scenario, end: f64) -> Vec<String> {
+    let range = |name: &String| {
+        let path = scenario.drive[name].path.iter().flatten().map(|point| point.time.si());
+        let file = document.files.paths.get(name).into_iter().flatten().map(|row| row.time_s);
+        let mut times = path.chain(file);
+        let first = times.next()?;
+        Some((first, times.last().unwrap_or(first)))
+    };
+    let told = |name: &String| {
+        let (from, to) = range(name)?;
+        let what = if from >= end {
+            "the run ends on the way to its first point"
+        } else if to > end {
+            "the run ends before its last point"
+        } else {
+            return None;
+        };
+        Some(format!("the path of drive {name:?} covers {from} s to {to} s, and the run takes 0 s to {end} s: {what}"))
+    };
+    if end > 0.0 { scenario.drive.keys().filter_map(told).collect() } else { Vec::new() }
 }
 
 /// Tractors whose delay lasts to the end of the run.

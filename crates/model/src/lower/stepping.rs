@@ -8,6 +8,7 @@ use netcast_webs::{Class, CutWeb};
 
 use super::draft::Draft;
 use super::drawing::two_digits;
+use super::listed::NEARLY_ONE;
 use super::members::{Group, Member};
 use super::size::MOST_ROWS;
 
@@ -46,6 +47,11 @@ impl Model {
             return Some("a longer environment.wind.gust.duration".to_owned());
         }
         let StepLimit { dt, without_damping, elsewhere, stiffest, .. } = self.limit;
+        if let Some(Stiff::Segment(segment)) = stiffest
+            && let Some([one, other]) = self.nearly_one_knot(segment)
+        {
+            return Some(format!("knots {one} and {other} made one: they nearly coincide"));
+        }
         let what = match stiffest? {
             Stiff::Segment(segment) => match &self.groups[self.system.segments()[segment].group].class {
                 Class::Canopy => "canopies".to_owned(),
@@ -70,6 +76,15 @@ impl Model {
         } else {
             "longer or softer segments (solve.segment_length)".to_owned()
         })
+    }
+
+    /// The two knots of a segment that is a whole rope, much shorter than segments are meant to be.
+    fn nearly_one_knot(&self, segment: usize) -> Option<[&str; 2]> {
+        let Segment { ends, rest_length, .. } = self.system.segments()[segment];
+        let meant = self.scenario.solve.segment_length?.si();
+        let knots = &self.cut.web.knots;
+        let is_short = rest_length < NEARLY_ONE * meant && self.members[segment].is_rope();
+        (is_short && ends.iter().all(|&end| end < knots.len())).then(|| ends.map(|end| &knots[end].name[..]))
     }
 
     /// The part of the net that limits the step, in words; none if nothing limits it.

@@ -127,7 +127,7 @@ fn gigapascals(modulus: f64) -> String {
 /// The breaking load, which follows from the diameter. `None` where the diameter cannot be read; the check reports
 /// that.
 fn strength(material: &RopeMaterial, table: &Table) -> Option<Known> {
-    let diameter = read::<unit::Metre>(table.get("diameter")?)?;
+    let diameter = read::<unit::Metre, Positive>(table.get("diameter")?)?;
     let load = Force::<Positive>::from_si(material.breaking_load(diameter)).ok()?;
     Some(("strength", load.to_string(), material.strength.sources.clone()))
 }
