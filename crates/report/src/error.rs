@@ -44,6 +44,17 @@ pub enum ReportError {
         /// The cause.
         source: io::Error,
     },
+    /// Pictures are asked of the folder of a comparison.
+    #[error(
+        "{} holds a comparison, which has no pictures of its own: name the folder of one of its designs, {}",
+        folder.display(), designs.join(", ")
+    )]
+    Comparison {
+        /// The folder of the comparison.
+        folder: PathBuf,
+        /// The names of the designs' folders in it.
+        designs: Vec<String>,
+    },
     /// The result folder lacks a file that pictures need, or the file holds no frame.
     #[error("cannot draw pictures of {}: {missing}; run the scenario again to write it", folder.display())]
     NoFields {

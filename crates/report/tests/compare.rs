@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use netcast_report::{ReportError, write_comparison, write_report};
+use netcast_report::{ReportError, write_comparison, write_pictures, write_report};
 use netcast_results::ResultError;
 use serde_json::{Value, json};
 use tempfile::TempDir;
@@ -166,4 +166,11 @@ fn the_report_of_a_comparison_is_the_comparison_page() {
     let folder = folder();
     assert_eq!(write_report(folder.path()).unwrap(), folder.path().join("report.html"));
     assert!(fs::read_to_string(folder.path().join("report.html")).unwrap().contains("What differs in the inputs"));
+}
+
+#[test]
+fn pictures_of_a_comparison_are_refused_with_the_folders_to_name_instead() {
+    let folder = folder();
+    let error = write_pictures(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("holds a comparison") && error.ends_with("ring, star"), "{error}");
 }

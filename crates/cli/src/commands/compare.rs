@@ -116,6 +116,10 @@ fn print_table(compared: &Compared) {
         let cells: String = cells.iter().zip(&widths).map(|(cell, &width)| format!("  {cell:>width$}")).collect();
         say!("{label:first$}{cells}");
     }
-    say!("* best of the row; {} inputs differ, see the report", compared.comparison.differences.len());
+    let differ = match compared.comparison.differences.len() {
+        1 => "1 input differs".to_owned(),
+        count => format!("{count} inputs differ"),
+    };
+    say!("* best of the row; {differ}, see the report");
     say!("Open {}", compared.folder.join("report.html").display());
 }

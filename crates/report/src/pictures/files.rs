@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io, process};
 
-use netcast_results::folder;
+use netcast_results::{Comparison, SummaryFile, folder, read_json};
 
 use super::{animation, curves, raster, sheets};
 use crate::ReportError;
@@ -19,8 +19,14 @@ const ZOOM: f32 = 2.0;
 ///
 /// # Errors
 /// [`ReportError`] names the file that is missing, malformed or cannot be written; [`ReportError::NoFields`] where the
-/// result holds no frames or no landmarks. Older pictures then stay.
+/// result holds no frames or no landmarks, [`ReportError::Comparison`] where it is that of a comparison. Older pictures
+/// then stay.
 pub fn write_pictures(result_dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    if SummaryFile::read(result_dir)?.is_of_comparison() {
+        let comparison: Comparison = read_json(&result_dir.join(folder::SUMMARY))?;
+        let designs = comparison.designs.into_iter().map(|design| design.folder).collect();
+        return Err(ReportError::Comparison { folder: result_dir.to_path_buf(), designs });
+    }
     let results = Results::read(result_dir)?;
     let scene = results.scene.as_ref().ok_or_else(|| no_fields(result_dir))?;
     let title = results.title();
