@@ -5,8 +5,10 @@ use serde_json::{Map, Value};
 
 use super::heading::Heading;
 use super::{Design, Entrant, Reported};
+use crate::measures::OPEN_SHARE;
 use crate::quantities::leaves;
 use crate::quantity::Better;
+use crate::summary::Summary;
 
 /// Values whose relative difference is at most this are equal. Their sums may differ by that much between machines.
 const EQUAL_WITHIN: f64 = 1e-9;
@@ -32,7 +34,8 @@ pub struct Row {
     /// Value in each design: a number, a text, or null if the design does not have the quantity.
     pub values: Map<String, Value>,
     /// All designs with the best value. Empty where neither direction is better, where fewer than two sound runs have a
-    /// value, and where all values are equal.
+    /// value, where all values are equal, and where the value grows with the length of the runs and these differ. A web that
+    /// does not open has no best time of its largest area.
     pub best: Vec<String>,
     /// Reported values, by design.
     pub reported: Map<String, Value>,
@@ -63,7 +66,9 @@ pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&
             .map(|known| (known.design.clone(), known.value.clone()))
             .collect();
         Some(Row {
-            best: heading.better.map_or(Vec::new(), |better| best(better, designs, &values)),
+            best: heading.better.map_or(Vec::new(), |better| {
+                best(better, &competing(&heading.path, better, entrants, designs), &values)
+            }),
             deviation_percent: deviations(&values, &reported),
             reported,
             values,
@@ -79,13 +84,42 @@ pub(super) fn table(entrants: &[Entrant], designs: &[Design], reported: Option<&
     headings.into_iter().filter_map(row).collect()
 }
 
-/// The sound designs with the best value; see [`Row::best`].
-fn best(better: Better, designs: &[Design], values: &Map<String, Value>) -> Vec<String> {
-    let competing: Vec<(&str, f64)> = designs
+/// The names of the sound designs among which the best value of a quantity may be looked for.
+///
+/// The time of the largest area is an opening time only of webs that open. What grows as long as a web is watched can be
+/// compared only between runs of equal length.
+fn competing<'d>(path: &str, better: Better, entrants: &[Entrant], designs: &'d [Design]) -> Vec<&'d str> {
+    let sound: Vec<(&Design, &Summary)> = designs
         .iter()
-        .filter(|design| design.is_sound())
-        .filter_map(|design| Some((&design.name[..], values.get(&design.name)?.as_f64()?)))
+        .zip(entrants)
+        .filter(|(design, _)| design.is_sound())
+        .map(|(design, entrant)| (design, &entrant.summary.summary))
         .collect();
+    let grows = better == Better::Higher && WATCHED.iter().any(|end| path.ends_with(end));
+    let lengths = || sound.iter().map(|(_, summary)| summary.step.count as f64 * summary.step.dt_s);
+    let (shortest, longest) = (lengths().fold(f64::INFINITY, f64::min), lengths().fold(0.0, f64::max));
+    if grows && longest - shortest > ALIKE_WITHIN * longest {
+        return Vec::new();
+    }
+    let opens = |summary: &Summary| match (summary.opening.area_max_m2, summary.opening.reference_area_m2) {
+        (Some(area), Some(flat)) => area >= OPEN_SHARE * flat,
+        _ => true,
+    };
+    let fits = sound.iter().filter(|(_, summary)| path != "opening.area_max_time_s" || opens(summary));
+    fits.map(|(design, _)| &design.name[..]).collect()
+}
+
+/// Ends of the paths of quantities that grow with the length of a run.
+const WATCHED: [&str; 5] =
+    ["effective_duration_s", "covered_duration_s", "hang_time_s", "peak_travel_m", "first_break_time_s"];
+
+/// Runs whose relative difference in length is at most this are equally long: their steps differ.
+const ALIKE_WITHIN: f64 = 1e-3;
+
+/// The designs among `competing` with the best value; see [`Row::best`].
+fn best(better: Better, competing: &[&str], values: &Map<String, Value>) -> Vec<String> {
+    let competing: Vec<(&str, f64)> =
+        competing.iter().filter_map(|name| Some((*name, values.get(*name)?.as_f64()?))).collect();
     let pick = match better {
         Better::Lower => f64::min,
         Better::Higher => f64::max,
@@ -203,6 +237,22 @@ mod tests {
         assert_eq!(Value::Object(row(&rows, "tension.max_n").values.clone()), json!({"a": 5.0, "b": null, "c": 3.0}));
         // a single value is not best
         assert_eq!(row(&rows, "tension.by_class.ring.max_n").best, Vec::<String>::new());
+    }
+
+    #[test]
+    fn a_web_that_never_opens_is_not_the_first_to_open() {
+        let design = |time: f64, area: f64| json!({"opening": {"area_max_time_s": time, "area_max_m2": area, "reference_area_m2": 10.0}});
+        let designs = [("a", design(0.02, 2.0)), ("b", design(0.14, 9.0)), ("c", design(0.12, 9.5))];
+        assert_eq!(row(&rows(&designs, &[]), "opening.area_max_time_s").best, ["c"]);
+    }
+
+    #[test]
+    fn hang_times_of_runs_of_different_length_have_no_best() {
+        let design = |hang: f64, steps: u64| json!({"flight": {"hang_time_s": hang}, "tension": {"max_n": hang}, "step": {"count": steps, "dt_s": 1e-5}});
+        let best = |steps: u64| rows(&[("a", design(0.2, 100_000)), ("b", design(0.3, steps))], &[]);
+        assert_eq!(row(&best(100_001), "flight.hang_time_s").best, ["b"]);
+        assert!(row(&best(50_000), "flight.hang_time_s").best.is_empty());
+        assert_eq!(row(&best(50_000), "tension.max_n").best, ["a"]);
     }
 
     #[test]
