@@ -240,11 +240,20 @@ fn point_tensions(results: &Results) -> Option<Figure> {
     ))
 }
 
+/// A channel of energy below this part of the largest is a line on the axis.
+const LEAST_PART: f64 = 1e-9;
+
 fn energies(results: &Results) -> Option<Figure> {
     let mut curves = by_suffix(results, "_j", channel_name)?;
-    // a channel that never holds anything only fills the legend
-    let is_used = |curve: &Curve| curve.points.iter().any(|(_, value)| value.is_some_and(|value| value != 0.0));
-    curves.retain(|curve| curve.name != "residual" && is_used(curve));
+    // a channel that is zero all along, or as good as zero beside the others, only fills the legend
+    let largest = |curve: &Curve| {
+        curve.points.iter().filter_map(|(_, value)| *value).fold(0.0, |most, value| value.abs().max(most))
+    };
+    let least = LEAST_PART * curves.iter().map(largest).fold(0.0, f64::max);
+    curves.retain(|curve| curve.name != "residual" && largest(curve) > least);
+    for (place, curve) in curves.iter_mut().enumerate() {
+        curve.colour = Some(place);
+    }
     Some(scaled(
         Figure {
             id: "energies",
@@ -284,21 +293,23 @@ fn with_peaks(results: &Results, peaks: &'static str, at_record: &'static str) -
     if results.filled().any(|(column, _)| column.ends_with(peaks)) { peaks } else { at_record }
 }
 
-/// A curve for each column that ends in `suffix`.
+/// A curve for each column that ends in `suffix`. No two have one place in the palette.
 fn by_suffix(results: &Results, suffix: &str, name: fn(&str) -> String) -> Option<Vec<Curve>> {
     let time = times(results)?;
     let columns = results.filled().filter_map(|(column, values)| Some((column.strip_suffix(suffix)?, values)));
-    let curve = |(place, (part, values)): (usize, (&str, Vec<Option<f64>>))| {
-        let colour = part_colour(part).unwrap_or(place);
+    let mut next = PARTS.len();
+    let curve = |(part, values): (&str, Vec<Option<f64>>)| {
+        let colour = PARTS.iter().position(|known| *known == part).unwrap_or_else(|| {
+            next += 1;
+            next - 1
+        });
         Curve::new(&name(part), &time, &values, colour)
     };
-    Some(columns.enumerate().map(curve).collect())
+    Some(columns.map(curve).collect())
 }
 
-/// Place in the palette of a feature point: the same in every chart.
-fn part_colour(part: &str) -> Option<usize> {
-    ["tractor", "B", "C", "D", "A", "corner", "centre"].iter().position(|known| *known == part)
-}
+/// The feature points by their place in the palette: the same in every chart.
+const PARTS: [&str; 7] = ["tractor", "B", "C", "D", "A", "corner", "centre"];
 
 fn part_name(part: &str) -> String {
     match part {

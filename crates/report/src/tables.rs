@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use netcast_results::{Dimension, Quantity, SECTIONS, SummaryFile, quantities, quantity_at};
 use serde_json::Value;
 
-use crate::format::{Scale, duration, escape, grouped, percent, significant, time, with_prefix};
+use crate::format::{Scale, duration, escape, fixed, grouped, percent, share_of_flat, significant, time, with_prefix};
 use crate::words::is_equilibrium;
 
 /// The cell of a quantity that a scenario lacks.
@@ -51,7 +51,10 @@ fn entries(quantity: &Quantity, section: &Value) -> Vec<(String, String)> {
     // a quantity without a parent is itself the whole section
     let value = if quantity.parent.is_empty() { section } else { &section[quantity.key] };
     if quantity.by_name {
-        let named = value.as_object().into_iter().flatten();
+        let is_channel = quantity.dimension == Dimension::Energy;
+        // a channel that holds nothing is no row
+        let named =
+            value.as_object().into_iter().flatten().filter(|(_, value)| !is_channel || value.as_f64() != Some(0.0));
         let entries =
             named.map(|(name, value)| Some((quantity.name_of(&name.replace('_', " ")), written(quantity, value)?)));
         return entries.flatten().collect();
@@ -72,7 +75,7 @@ fn written(quantity: &Quantity, value: &Value) -> Option<String> {
         Dimension::Force => number(|force| with_prefix(force, "N")),
         Dimension::Energy => number(|energy| with_prefix(energy, "J")),
         Dimension::Stress => number(|stress| with_prefix(stress, "Pa")),
-        Dimension::Angle => number(|angle| format!("{:.2}°", angle.to_degrees())),
+        Dimension::Angle => number(|angle| format!("{}°", fixed(angle.to_degrees(), 2))),
         Dimension::Share => number(percent),
         Dimension::Error => number(|share| format!("{share:.1e}")),
         Dimension::Strain => number(strain),
@@ -116,7 +119,7 @@ fn with_share(file: &SummaryFile, mut rows: Vec<(String, String)>) -> Vec<(Strin
     if let (Some(area), Some(reference)) = (opening.area_max_m2, opening.reference_area_m2) {
         let reference_name = quantity_at("opening.reference_area_m2").map_or("", |(quantity, _)| quantity.name);
         let place = rows.iter().position(|(name, _)| name == reference_name).unwrap_or(rows.len());
-        rows.insert(place, ("Share of the flat web".to_owned(), percent(area / reference)));
+        rows.insert(place, ("Share of the flat web".to_owned(), share_of_flat(area / reference)));
     }
     rows
 }
@@ -143,7 +146,7 @@ fn by_name(
     let forces = forces.flat_map(|column| objects.values().filter_map(|object| object[column.key].as_f64()));
     let scale = Scale::fitting(forces.fold(0.0, f64::max), "N");
     let cell = |column: &Quantity, value: &Value| match column.dimension {
-        Dimension::Time => value.as_f64().map(|seconds| format!("{seconds:.3}")),
+        Dimension::Time => value.as_f64().map(|seconds| fixed(seconds, 3)),
         Dimension::Share => value.as_f64().map(percent),
         Dimension::Force => value.as_f64().map(|force| significant(force / scale.divisor)),
         _ => value.as_f64().map(significant),

@@ -5,21 +5,13 @@
 
   /** Figures with one curve for each design, distinguished by colour and dash. */
   class Overlays extends Charts {
-    trace(chart, curve, place, colours) {
-      const trace = super.trace(chart, curve, place, colours);
-      return { ...trace, line: { ...trace.line, dash: dashes[curve.colour % dashes.length] } };
-    }
-
-    makeKey(chart) {
-      super.makeKey(chart);
-      const entries = chart.key.querySelectorAll("button");
-      for (const [place, { colour }] of chart.figure.curves.entries()) {
-        entries[place].classList.add(`dash-${colour % dashes.length}`);
-      }
+    dash(place) {
+      return place % dashes.length;
     }
   }
   // one colour for each design
   Charts.CURVES = designs.length;
+  Charts.DASHES = dashes;
 
   const charts = new Overlays(figures);
   charts.onSeek((time) => charts.setTime(time));

@@ -22,14 +22,27 @@ use figures::{Overlay, overlays};
 use tables::{all_quantities, differences, headlines};
 
 use crate::ReportError;
-use crate::format::escape;
-use crate::page::{CHARTS, fill, library, provenance};
+use crate::format::{escape, prose};
+use crate::page::{CHARTS, Section, contents, fill, library, paper_points, provenance, wind};
 use crate::replay::{self, replay};
 use crate::results::Results;
 
 const TEMPLATE: &str = include_str!("compare.html");
 const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("compare.css"));
 const SCRIPT: &str = include_str!("compare.js");
+
+/// What stands above the table of results.
+const BEST: &str = "<p class=\"lead\"><span aria-hidden=\"true\">★</span> best of the row, where lower \
+    <span class=\"wanted\">↓</span> or higher <span class=\"wanted\">↑</span> is better; values that read alike share it.</p>\n";
+
+/// What stands above the replays.
+const STEP: &str = "<p class=\"lead\">All replays have one clock, one camera, and the same scales of length and tension.</p>\n\
+    <noscript><p>The replay needs JavaScript.</p></noscript>\n";
+
+/// What stands above the curves.
+const CURVES: &str = "<noscript><p>The curves need JavaScript; their numbers are in the history.csv of each design's folder.\
+    </p></noscript>\n<p class=\"hint screen\">Press or drag in a figure to move the replays; its toolbar zooms into a stretch \
+    of time.</p>\n";
 
 /// Writes `report.html` into the folder of a comparison from its `summary.json` and `manifest.json` and the result
 /// folders of its designs, and returns its path.
@@ -43,14 +56,17 @@ pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
     let mut overlay = Overlay::default();
     let mut replays = String::new();
     let mut notes = Vec::new();
+    let mut paper = None;
     for (index, design) in designs.iter().enumerate() {
         // read one design at a time: the fields of a dozen do not fit in memory together
         let results = Results::read(&comparison_dir.join(&design.folder))?;
         overlay.add(index, &results);
+        paper = paper.or_else(|| paper_points(&results));
         let name = &design.name;
         match &results.scene {
             Some(scene) => {
-                let packed = replay(scene, &format!("replay-{index}"), replay::BUDGET_BYTES / designs.len());
+                let budget = replay::BUDGET_BYTES / designs.len();
+                let packed = replay(scene, &format!("replay-{index}"), budget, wind(results.summary()));
                 replays += &packed.element;
                 notes.extend(packed.thinned.map(|thinned| format!("{name}: {thinned}")));
             }
@@ -59,6 +75,7 @@ pub fn write_comparison(comparison_dir: &Path) -> Result<PathBuf, ReportError> {
             }
         }
     }
+    notes.extend(paper);
     let page = Page { comparison: &comparison, manifest: &manifest, replays, notes };
     let path = comparison_dir.join(folder::REPORT);
     fs::write(&path, page.html(&overlay)).map_err(|source| ReportError::Write { path: path.clone(), source })?;
@@ -79,7 +96,8 @@ impl Page<'_> {
     fn html(&self, overlay: &Overlay) -> String {
         let designs = &self.comparison.designs;
         let figures = overlays(overlay);
-        let charts = figures.iter().map(|figure| figure.frame()).collect();
+        let charts: String = figures.iter().map(|figure| figure.frame()).collect();
+        let sections = self.sections(charts);
         let data = json!({
             "designs": designs.iter().map(|design| &design.name).collect::<Vec<_>>(),
             "dashes": DASHES.map(|dash| dash.replace(' ', ",").replace("none", "solid")),
@@ -93,13 +111,8 @@ impl Page<'_> {
                 ("replay-style", replay::STYLE.into()),
                 ("designs", designs.iter().enumerate().map(|(index, design)| card(index, design)).collect()),
                 ("failures", self.failures()),
-                ("differences", differences(self.comparison)),
-                ("headlines", headlines(self.comparison)),
-                ("quantities", all_quantities(self.comparison)),
-                ("source", self.source()),
-                ("stages", designs.iter().enumerate().map(|(index, design)| stage(index, design)).collect()),
-                ("replay-notes", self.notes.iter().map(|note| format!("<p>{}</p>\n", escape(note))).collect()),
-                ("figures", charts),
+                ("contents", contents(&sections)),
+                ("sections", sections.iter().map(Section::html).collect()),
                 ("provenance", provenance(&self.comparison.netcast, self.manifest)),
                 // no `<` may stand within a script element
                 ("data", data.to_string().replace('<', "\\u003c")),
@@ -108,6 +121,34 @@ impl Page<'_> {
                 ("scripts", [replay::SCRIPT, CHARTS].concat()),
                 ("script", SCRIPT.into()),
             ],
+        )
+    }
+
+    /// The sections in their order; one without a body is left out.
+    fn sections(&self, charts: String) -> Vec<Section> {
+        let results = headlines(self.comparison);
+        let results = if results.is_empty() { results } else { format!("{BEST}{}{results}", self.source()) };
+        let charts =
+            if charts.is_empty() { charts } else { format!("{CURVES}<div class=\"charts\">\n{charts}</div>\n") };
+        let all = [
+            Section::new("replay", "Replays in step", self.replays_in_step()),
+            Section::new("came-out", "Results", results),
+            Section::new("differences", "What differs in the inputs", differences(self.comparison)),
+            Section::new("figures", "Curves", charts),
+            Section::new("quantities", "All quantities", all_quantities(self.comparison)),
+        ];
+        all.into_iter().filter(|section| !section.body.is_empty()).collect()
+    }
+
+    /// The stages of all designs and their common controls.
+    fn replays_in_step(&self) -> String {
+        let designs = &self.comparison.designs;
+        let stages: String = designs.iter().enumerate().map(|(index, design)| stage(index, design)).collect();
+        let notes: String = self.notes.iter().map(|note| format!("<p>{}</p>\n", prose(note))).collect();
+        let columns = columns(designs.len());
+        format!(
+            "{STEP}<div class=\"stages\" style=\"--columns: {columns}\">\n{stages}</div>\n\
+             <div id=\"replay-controls\"></div>\n{notes}"
         )
     }
 
@@ -120,7 +161,7 @@ impl Page<'_> {
             .filter_map(|design| {
                 let name = escape(&design.name);
                 let why = match (&design.failure, design.finished) {
-                    (Some(failure), _) => escape(failure),
+                    (Some(failure), _) => prose(failure),
                     (None, false) => "its run stopped before its end".into(),
                     (None, true) => return None,
                 };
@@ -134,7 +175,7 @@ impl Page<'_> {
         match &self.comparison.reported {
             Some(source) => format!(
                 "<p>Reported: {}. The percentage is the deviation of the design's own number from the reported one.</p>",
-                escape(source)
+                prose(source)
             ),
             None => String::new(),
         }
@@ -150,7 +191,7 @@ fn card(index: usize, design: &Design) -> String {
         (true, Some(_)) => "<span class=\"state stopped\">failed</span>",
     };
     let others = design.warnings.iter().filter(|warning| Some(*warning) != design.failure.as_ref());
-    let warnings: String = others.map(|warning| format!("<li>{}</li>", escape(warning))).collect();
+    let warnings: String = others.map(|warning| format!("<li>{}</li>", prose(warning))).collect();
     let warnings = if warnings.is_empty() { warnings } else { format!("<ul>{warnings}</ul>") };
     let link = format!("{}/{}", percent_encoded(&design.folder), folder::REPORT);
     format!(
@@ -158,6 +199,16 @@ fn card(index: usize, design: &Design) -> String {
          <a href=\"{link}\">its own report</a></div></li>\n",
         swatch(index)
     )
+}
+
+/// The columns that so many views stand in: four are two by two.
+fn columns(views: usize) -> usize {
+    match views {
+        0..=3 => views.max(1),
+        4 => 2,
+        5 | 6 | 9 => 3,
+        _ => 4,
+    }
 }
 
 /// The HTML element that a design is replayed in.

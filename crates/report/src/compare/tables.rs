@@ -5,7 +5,7 @@ use netcast_results::{Better, Comparison};
 use serde_json::{Map, Value};
 
 use super::swatch;
-use crate::format::{Scale, duration, escape, grouped, percent, significant};
+use crate::format::{Scale, duration, escape, fixed, grouped, percent, significant};
 
 /// The cell of a quantity that a design lacks.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
@@ -73,11 +73,12 @@ fn is_reported(rows: &[&Row], design: &str) -> bool {
 /// A row of the table of results; `reported` says for each design whether it has a second column.
 fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     let display = Display::of(row);
+    let best = alike(comparison, row, &display);
     let cells: String = designs(comparison)
         .zip(reported)
         .map(|(design, has_reported)| {
             let own = match display.text(&row.values, design) {
-                Some(value) if row.best.iter().any(|best| best == design) => {
+                Some(value) if best.contains(&design) => {
                     format!(
                         "<td class=\"best\"><span aria-hidden=\"true\">★ </span>{}<span class=\"said\"> (best)</span></td>",
                         escape(&value)
@@ -109,6 +110,17 @@ fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     )
 }
 
+/// The designs with a star: the best ones of the row, and sound ones whose value reads like theirs. None where all read
+/// alike.
+fn alike<'c>(comparison: &'c Comparison, row: &Row, display: &Display) -> Vec<&'c str> {
+    let told = |name: &str| display.text(&row.values, name);
+    let best: Vec<Option<String>> = row.best.iter().map(|name| told(name)).collect();
+    let sound = comparison.designs.iter().filter(|design| design.is_sound()).map(|design| &design.name[..]);
+    let competing: Vec<&str> = sound.filter(|name| told(name).is_some()).collect();
+    let starred: Vec<&str> = competing.iter().copied().filter(|name| best.contains(&told(name))).collect();
+    if competing.len() > 1 && starred.len() == competing.len() { Vec::new() } else { starred }
+}
+
 /// The format of the values of a row: one unit for all, so that they compare at a glance.
 struct Display {
     unit: String,
@@ -128,7 +140,7 @@ impl Display {
         let in_cell = |write: fn(f64) -> String| Self { unit: String::new(), write: Box::new(write) };
         match &row.unit[..] {
             "s" if quantity == "wall_time_s" || largest < 1e-3 => in_cell(duration),
-            "s" => Self { unit: "s".into(), write: Box::new(|value| format!("{value:.3}")) },
+            "s" => Self { unit: "s".into(), write: Box::new(|value| fixed(value, 3)) },
             unit @ ("N" | "J") => {
                 let scale = Scale::fitting(largest, unit);
                 scaled(1.0 / scale.divisor, &scale.unit)
@@ -160,21 +172,23 @@ fn deviation(percent: f64) -> String {
     }
 }
 
-/// A quantity in the unit that engineers use: a resolved scenario has `90000000000 Pa` and `1.5707963267948966 rad`.
+/// A quantity in the unit that engineers use: a resolved scenario has `90000000000 Pa`, `1.5707963267948966 rad` and
+/// `0.09860000000000001 m`.
 fn readable(text: &str) -> String {
-    let in_unit = |factor: f64, unit: &str| {
-        let number: f64 = text.split_once(' ')?.0.parse().ok()?;
-        // twelve digits hide the rounding error of the conversion
-        let number: f64 = format!("{:.11e}", number * factor).parse().ok()?;
-        Some(format!("{number} {unit}"))
+    let split = text.split_once(' ').and_then(|(number, unit)| Some((number, number.parse::<f64>().ok()?, unit)));
+    let told = match split {
+        Some((digits, number, "Pa")) if digits.len() > 8 => format!("{} GPa", twelve_digits(number * 1e-9)),
+        Some((digits, number, "Pa")) if digits.len() > 5 => format!("{} MPa", twelve_digits(number * 1e-6)),
+        Some((_, number, "rad")) => format!("{} deg", twelve_digits(number.to_degrees())),
+        Some((_, number, unit)) => format!("{} {unit}", twelve_digits(number)),
+        None => text.to_owned(),
     };
-    let read = match text.rsplit_once(' ') {
-        Some((digits, "Pa")) if digits.len() > 8 => in_unit(1e-9, "GPa"),
-        Some((digits, "Pa")) if digits.len() > 5 => in_unit(1e-6, "MPa"),
-        Some((_, "rad")) => in_unit(180.0 / std::f64::consts::PI, "deg"),
-        _ => None,
-    };
-    read.unwrap_or_else(|| text.replace("^2", "²").replace("^3", "³"))
+    told.replace("^2", "²").replace("^3", "³")
+}
+
+/// A number with twelve digits at most, which hide the rounding error of a conversion.
+fn twelve_digits(number: f64) -> String {
+    format!("{number:.11e}").parse().unwrap_or(number).to_string()
 }
 
 /// An input as text; none where it is null.
@@ -185,6 +199,7 @@ fn input(value: &Value) -> Option<String> {
         // an empty table: a variant without keys of its own
         Value::Object(_) => Some("as by default".into()),
         Value::Array(elements) => Some(elements.iter().filter_map(input).collect::<Vec<_>>().join(", ")),
+        Value::Number(number) if number.is_f64() => number.as_f64().map(twelve_digits),
         other => Some(other.to_string()),
     }
 }
@@ -204,4 +219,17 @@ fn table(class: &str, heads: &str, body: &str) -> String {
         "<div class=\"side-by-side\" tabindex=\"0\"><table class=\"{class}\">\n<thead><tr>{heads}</tr></thead>\n\
          <tbody>\n{body}</tbody></table></div>\n"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_have_the_digits_that_their_author_wrote() {
+        let told =
+            ["0.09860000000000001 m", "90000000000 Pa", "1.5707963267948966 rad", "7 kg/m^3", "a b"].map(readable);
+        assert_eq!(told, ["0.0986 m", "90 GPa", "90 deg", "7 kg/m³", "a b"]);
+        assert_eq!(input(&serde_json::json!([0.30000000000000004, "0.1 m"])).unwrap(), "0.3, 0.1 m");
+    }
 }

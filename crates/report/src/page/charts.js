@@ -7,6 +7,15 @@
  */
 class Charts {
   static CURVES = 8;
+  /** Size of a figure on paper, px; page.css has the same height. */
+  static PAPER = { width: 320, height: 132 };
+  /** The dashes of curves whose colours repeat, by round of the palette; page.css has the same as `.dash-1` to `.dash-3`. */
+  static DASHES = ["solid", "9px,4px", "3px,3px", "11px,3px,3px,3px"];
+
+  /** Which of the dashes a curve has by its place in the palette. */
+  dash(place) {
+    return Math.floor(place / Charts.CURVES) % Charts.DASHES.length;
+  }
 
   constructor(figures) {
     this.charts = figures.map((figure) => {
@@ -46,12 +55,19 @@ class Charts {
   followReader() {
     const { classList } = document.documentElement;
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
+    let folded = [];
     addEventListener("beforeprint", () => {
       classList.add("paper");
-      for (const details of document.querySelectorAll("details")) details.open = true;
+      folded = [...document.querySelectorAll("details:not([open])")];
+      for (const details of folded) details.open = true;
       this.redraw();
     });
-    addEventListener("afterprint", () => { classList.remove("paper"); this.redraw(); });
+    addEventListener("afterprint", () => {
+      classList.remove("paper");
+      for (const details of folded) details.open = false;
+      this.redraw();
+      for (const { plot } of this.charts.filter(({ drawn }) => drawn)) Plotly.Plots.resize(plot);
+    });
   }
 
   onSeek(callback) {
@@ -93,12 +109,11 @@ class Charts {
       companion: { dash: "2px,2px", width: 1.3 },
     };
     const reference = curve.colour === null;
-    // past the end of the palette, colours repeat with another dash
-    const again = !reference && curve.colour >= Charts.CURVES && curve.style === "solid";
+    const again = !reference && curve.style === "solid" ? { dash: Charts.DASHES[this.dash(curve.colour)] } : {};
     return {
       type: "scatter", mode: "lines", name: curve.name, x: curve.x, y: curve.y, visible: !hidden.has(place),
       line: {
-        ...line[curve.style], ...(again ? { dash: "8px,2px,2px,2px" } : {}),
+        ...line[curve.style], ...again,
         color: reference ? colours.soft : colours.curves[curve.colour % Charts.CURVES],
       },
       ...(reference ? { hoverinfo: "skip" } : { hovertemplate: `%{y:.4~g} ${figure.unit}` }),
@@ -106,9 +121,11 @@ class Charts {
   }
 
   layout(figure, colours) {
+    // on paper the size is known, and two figures stand side by side on A4
+    const paper = document.documentElement.classList.contains("paper");
     const axis = {
       gridcolor: colours.grid, linecolor: colours.rule, zerolinecolor: colours.rule, tickcolor: colours.rule,
-      ticks: "outside", ticklen: 4, automargin: true, tickfont: { size: 12 },
+      ticks: "outside", ticklen: 4, automargin: true, tickfont: { size: paper ? 8.5 : 12 },
     };
     const shapes = figure.shaded === null ? [] : [{
       type: "rect", xref: "x", yref: "paper", x0: figure.shaded[0], x1: figure.shaded[1], y0: 0, y1: 1,
@@ -116,11 +133,12 @@ class Charts {
     }];
     return {
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      font: { family: getComputedStyle(document.body).fontFamily, size: 12.5, color: colours.ink },
-      margin: { l: 56, r: 12, t: 28, b: 40 },
-      xaxis: { ...axis, title: { text: "time, s", standoff: 8 }, hoverformat: ".4~f",
+      font: { family: getComputedStyle(document.body).fontFamily, size: paper ? 9 : 12.5, color: colours.ink },
+      ...(paper ? { ...Charts.PAPER, autosize: false } : { autosize: true }),
+      margin: paper ? { l: 34, r: 6, t: 6, b: 24 } : { l: 56, r: 12, t: 28, b: 40 },
+      xaxis: { ...axis, title: { text: "time, s", standoff: paper ? 3 : 8 }, hoverformat: ".4~f",
         unifiedhovertitle: { text: "%{x} s" }, showspikes: true, spikemode: "across", spikethickness: 1, spikedash: "solid", spikecolor: colours.soft },
-      yaxis: { ...axis, title: { text: figure.yTitle, standoff: 8 }, rangemode: "tozero" },
+      yaxis: { ...axis, title: { text: figure.yTitle, standoff: paper ? 3 : 8 }, rangemode: "tozero" },
       // a drag moves the cursor; the toolbar has zoom and pan
       hovermode: "x unified", dragmode: false, showlegend: false,
       hoverlabel: { bgcolor: colours.card, bordercolor: colours.rule, font: { color: colours.ink, size: 12 } },
@@ -153,7 +171,7 @@ class Charts {
       const entry = key.appendChild(document.createElement("button"));
       entry.type = "button";
       entry.setAttribute("aria-pressed", "true");
-      entry.className = curve.style;
+      entry.className = curve.style === "solid" ? `dash-${this.dash(curve.colour ?? 0)}` : curve.style;
       const colour = curve.colour === null ? "soft" : `curve-${curve.colour % Charts.CURVES}`;
       entry.style.setProperty("--colour", `var(--${colour})`);
       entry.append(curve.name);

@@ -4,17 +4,20 @@
 //! replay's scripts draw the net, and `page.js` links the two. The charting library is plotly.js from the `plotly`
 //! crate.
 
-use netcast_results::{Manifest, OPEN_SHARE, Summary};
+mod tiles;
+
+use netcast_results::{Manifest, Summary};
 use plotly::Plot;
 use serde_json::Value;
 
 use crate::figures::{Figure, figures};
-use crate::format::{duration, escape, percent, significant, time, with_prefix};
+use crate::format::{duration, escape, prose};
 use crate::pictures::{clouds_html, page_style, postures_html, stowed_html};
 use crate::replay::{self, BUDGET_BYTES, replay};
 use crate::results::Results;
 use crate::tables::{stowed, tables};
 use crate::words::{is_equilibrium, words};
+use tiles::tiles;
 
 const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -24,12 +27,17 @@ const SCRIPT: &str = include_str!("page.js");
 const NO_SCENE: &str = "<p class=\"hint\">There is nothing to replay: a replay needs fields.vtkhdf with at least one \
     frame, and landmarks.json. This folder does not hold both.</p>\n";
 
+/// What stands above the curves.
+const CURVES: &str = "<noscript><p>The curves need JavaScript; their numbers are in history.csv beside this page.</p></noscript>\n\
+    <p class=\"hint screen\">Press or drag in a figure to move the replay; its toolbar zooms into a stretch of time.</p>\n";
+
 /// The whole page.
 pub(crate) fn html(results: &Results) -> String {
     let summary = results.summary();
     // an equilibrium has a single record, which makes no curve
     let figures = if is_equilibrium(summary) { Vec::new() } else { figures(results) };
     let title = results.title();
+    let sections = sections(results, &figures);
     fill(
         TEMPLATE,
         &[
@@ -38,14 +46,8 @@ pub(crate) fn html(results: &Results) -> String {
             ("state", state(summary)),
             ("warnings", warnings(summary)),
             ("tiles", tiles(summary)),
-            ("replay", replay_section(results)),
-            ("words", list_items(&words(summary))),
-            ("postures", section("postures", "Postures", &postures_html(results))),
-            ("clouds", section("clouds", "Tensions", &clouds_html(results))),
-            ("stowed", section("stowed", "The stowed state", &(stowed_html(results) + &stowed(&results.file)))),
-            ("inputs", section("inputs", "Inputs", &inputs(results))),
-            ("figures", figures.iter().map(|figure| figure_frame(figure.title, figure.note, figure.id)).collect()),
-            ("tables", tables(&results.file)),
+            ("contents", contents(&sections)),
+            ("sections", sections.iter().map(Section::html).collect()),
             ("provenance", provenance(&summary.netcast, &results.manifest)),
             ("data", data(&figures)),
             ("scripts", format!("{}{CHARTS}", replay::SCRIPT)),
@@ -53,6 +55,84 @@ pub(crate) fn html(results: &Results) -> String {
             ("script", SCRIPT.into()),
         ],
     )
+}
+
+/// The sections of the page in their order; one without a body is left out.
+fn sections(results: &Results, figures: &[Figure]) -> Vec<Section> {
+    let summary = results.summary();
+    let told = words(summary);
+    let has_replay = results.scene.is_some();
+    let note = paper_points(results).map(|note| format!("<p class=\"hint below\">{note}</p>\n")).unwrap_or_default();
+    // said where the points first appear
+    let (at_replay, at_words) = if has_replay { (&note[..], "") } else { ("", &note[..]) };
+    let told = if told.is_empty() { String::new() } else { format!("<ul>\n{}</ul>\n{at_words}", list_items(&told)) };
+    let charts: String = figures.iter().map(|figure| figure_frame(figure.title, figure.note, figure.id)).collect();
+    let charts = if charts.is_empty() { charts } else { format!("{CURVES}<div class=\"charts\">\n{charts}</div>\n") };
+    let numbers = tables(&results.file);
+    let numbers = if numbers.is_empty() { numbers } else { format!("<div class=\"tables\">\n{numbers}</div>\n") };
+    let all = [
+        Section::new("replay", "Replay", replay_body(results) + at_replay),
+        Section::new("words", "What happened", told),
+        Section::new("postures", "Postures", postures_html(results)),
+        Section::new("figures", "Curves", charts),
+        Section::new("clouds", "Tensions", clouds_html(results)),
+        Section::new("numbers", "Numbers", numbers),
+        Section::new("stowed", "The stowed state", stowed_html(results) + &stowed(&results.file)),
+        Section::new("inputs", "Inputs", inputs(results)),
+    ];
+    all.into_iter().filter(|section| !section.body.is_empty()).collect()
+}
+
+/// A section of a page, listed in its contents.
+pub(crate) struct Section {
+    /// Its class and, after `part-`, its id.
+    name: &'static str,
+    title: &'static str,
+    pub body: String,
+}
+
+impl Section {
+    pub(crate) fn new(name: &'static str, title: &'static str, body: String) -> Self {
+        Self { name, title, body }
+    }
+
+    pub(crate) fn html(&self) -> String {
+        let Self { name, title, body } = self;
+        format!("<section class=\"{name}\" id=\"part-{name}\">\n<h2>{title}</h2>\n{body}</section>\n")
+    }
+}
+
+/// The table of contents.
+pub(crate) fn contents(sections: &[Section]) -> String {
+    let entry = |section: &Section| format!("<li><a href=\"#part-{}\">{}</a></li>\n", section.name, section.title);
+    let entries: String = sections.iter().map(entry).collect();
+    format!("<nav class=\"contents\" aria-label=\"Contents\">\n<ul>\n{entries}</ul>\n</nav>\n")
+}
+
+/// The points of the paper by name and place.
+const PAPER_POINTS: [(&str, &str); 4] = [
+    ("A", "A the middle of the traction rope nearest to C"),
+    ("B", "B in the middle of the web"),
+    ("C", "C at a corner"),
+    ("D", "D between B and C"),
+];
+
+/// What the letters of the feature points mean; none where the web has none of them or its points are the user's own.
+pub(crate) fn paper_points(results: &Results) -> Option<String> {
+    let is_own = results.scenario.contains("[web.graph");
+    let points = &results.summary().points;
+    let known: Vec<_> =
+        PAPER_POINTS.iter().filter(|(name, _)| points.get(*name).is_some_and(Option::is_some)).collect();
+    if is_own || known.len() < 2 {
+        return None;
+    }
+    let list = |texts: Vec<&str>| {
+        let (last, before) = texts.split_last().expect("two points or more");
+        format!("{} and {last}", before.join(", "))
+    };
+    let names = list(known.iter().map(|(name, _)| *name).collect());
+    let places: Vec<&str> = known.iter().map(|(_, place)| *place).collect();
+    Some(format!("{names} are the feature points of the paper that these webs come from: {}.", places.join(", ")))
 }
 
 /// The template with each `{{name}}` replaced by its part. Parts are not searched again, so a title may hold braces.
@@ -72,25 +152,24 @@ pub(crate) fn fill(template: &str, parts: &[(&str, String)]) -> String {
     page + rest
 }
 
-/// A section of the page with a heading; empty text where `body` is empty.
-fn section(class: &str, title: &str, body: &str) -> String {
-    if body.is_empty() {
-        return String::new();
-    }
-    format!("<section class=\"{class}\">\n<h2>{title}</h2>\n{body}</section>\n")
-}
-
-/// The section of the replay: its element, and the packed run.
-fn replay_section(results: &Results) -> String {
-    let Some(scene) = &results.scene else { return section("replay", "Replay", NO_SCENE) };
-    let replay = replay(scene, "replay-data", BUDGET_BYTES);
-    let thinned = replay.thinned.map(|note| format!("<p class=\"hint\">{}</p>\n", escape(&note))).unwrap_or_default();
+/// The replay: its element, and the packed run.
+fn replay_body(results: &Results) -> String {
+    let Some(scene) = &results.scene else { return NO_SCENE.into() };
+    let replay = replay(scene, "replay-data", BUDGET_BYTES, wind(results.summary()));
+    let thinned =
+        replay.thinned.map(|note| format!("<p class=\"hint below\">{}</p>\n", escape(&note))).unwrap_or_default();
     if replay.element.is_empty() {
-        return section("replay", "Replay", &thinned);
+        return thinned;
     }
     let stage = "<div class=\"replay-stage\"><div class=\"replay-card\"><div id=\"replay-view\"></div>\
         <div id=\"replay-controls\"></div></div></div>\n";
-    section("replay", "Replay", &format!("{stage}{thinned}{}", replay.element))
+    format!("{stage}{thinned}{}", replay.element)
+}
+
+/// The wind at the muzzle at the start, m/s; none where it is still.
+pub(crate) fn wind(summary: &Summary) -> Option<[f64; 3]> {
+    let wind = summary.air.as_ref()?.wind_m_s;
+    wind.iter().any(|along| *along != 0.0).then_some(wind)
 }
 
 /// The resolved scenario; empty text where the folder lacks it.
@@ -116,61 +195,7 @@ fn warnings(summary: &Summary) -> String {
 }
 
 fn list_items(lines: &[String]) -> String {
-    lines.iter().map(|line| format!("<li>{}</li>\n", escape(line))).collect()
-}
-
-/// The handful of numbers that a designer looks for first.
-fn tiles(summary: &Summary) -> String {
-    let Summary { opening, tension, energy, .. } = summary;
-    let at_rest = is_equilibrium(summary);
-    let area = opening.area_max_m2;
-    let share = area.zip(opening.reference_area_m2).map(|(area, flat)| percent(area / flat));
-    let tractor = summary.points.get("tractor").and_then(Option::as_ref);
-    let is_known = |value: &f64| value.is_finite();
-    let tension_max = Some(tension.max_n).filter(is_known);
-    let open = format!("{} open for", percent(OPEN_SHARE));
-    let tiles = [
-        (
-            if at_rest { "area" } else { "largest area" },
-            area.map(|area| format!("{} m²", significant(area))),
-            share.map(|s| format!("{s} of flat")),
-        ),
-        (
-            &open,
-            opening.effective_duration_s.filter(|_| !at_rest).map(time),
-            opening.effective_from_s.map(|from| format!("from {}", time(from))),
-        ),
-        (
-            "highest tension",
-            tension_max.map(|force| with_prefix(force, "N")),
-            tension.max_where.as_ref().map(|class| format!("{class} rope")),
-        ),
-        (
-            "tractors travel",
-            tractor
-                .and_then(|tractor| tractor.peak_travel_m)
-                .filter(|_| !at_rest)
-                .map(|travel| format!("{} m", significant(travel))),
-            None,
-        ),
-        (
-            "forces balance to",
-            summary.statics.as_ref().and_then(|found| found.residual_relative).map(|share| format!("{share:.1e}")),
-            summary.statics.as_ref().map(|found| format!("{:.1e} allowed", found.tolerance)),
-        ),
-        (
-            "energy closes to",
-            Some(energy.closure).filter(is_known).filter(|_| !at_rest).map(percent),
-            Some(energy.tolerance).filter(is_known).map(|tolerance| format!("{} allowed", percent(tolerance))),
-        ),
-    ];
-    tiles
-        .into_iter()
-        .filter_map(|(name, value, detail)| {
-            let (value, detail) = (escape(&value?), escape(&detail.unwrap_or_default()));
-            Some(format!("<div><dt>{name}</dt><dd>{value}<small>{detail}</small></dd></div>\n"))
-        })
-        .collect()
+    lines.iter().map(|line| format!("<li>{}</li>\n", prose(line))).collect()
 }
 
 /// The HTML element that a figure is drawn in.
@@ -179,7 +204,7 @@ pub(crate) fn figure_frame(title: &str, note: &str, id: &str) -> String {
         "<figure><figcaption><h3>{}</h3><p>{}</p></figcaption>\
          <div class=\"chart\"><div class=\"plot\" id=\"{id}\"></div></div><div class=\"key\"></div></figure>\n",
         escape(title),
-        escape(note)
+        prose(note)
     )
 }
 

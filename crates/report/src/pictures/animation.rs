@@ -14,14 +14,14 @@ use resvg::tiny_skia::Pixmap;
 
 use super::camera::{Camera, View};
 use super::colour::{BINS, TensionScale, bin_colour};
-use super::key_frames::highest_tension;
+use super::key_frames::tension_scale;
 use super::net_picture::{Labelling, NetPicture, extent, open_share};
 use super::raster::pixels;
 use super::sheet::{KEY_SIZE, key, standalone};
 use super::strands::Strands;
 use super::svg_text::text;
 use super::theme::light_rgb;
-use crate::format::{percent, time};
+use crate::format::{share_of_flat, time};
 use crate::results::Scene;
 
 /// Width and height, px.
@@ -100,7 +100,7 @@ impl<'a> Film<'a> {
         Self {
             scene,
             strands: Strands::new(scene),
-            scale: TensionScale::up_to(frames.iter().map(|&frame| highest_tension(scene, frame)).fold(0.0, f64::max)),
+            scale: tension_scale(scene),
             camera,
             px_per_m: if follows { web } else { whole },
             centre: (!follows).then_some(0.5 * (least + most)),
@@ -112,7 +112,7 @@ impl<'a> Film<'a> {
     fn svg(&self, frame: usize) -> String {
         let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
         let mut svg = standalone(width, height);
-        let share = open_share(self.scene, frame).map(|share| format!("{} of the flat area", percent(share)));
+        let share = open_share(self.scene, frame).map(|share| format!("{} of the flat area", share_of_flat(share)));
         svg.push_str(&format!(
             "<text class=\"name\" x=\"12\" y=\"20\">{}</text>\
              <text class=\"name\" x=\"12\" y=\"40\">{}</text><text class=\"soft\" x=\"90\" y=\"40\">{}</text>\

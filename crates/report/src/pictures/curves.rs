@@ -106,10 +106,9 @@ fn draw_legend<'a>(figure: &Figure, area: &Canvas<'a>) -> Drawn<'a> {
 fn look(curve: &Curve) -> (ShapeStyle, Option<(i32, i32)>) {
     let colour = curve.colour.map_or(colour("--soft"), |place| colour(&format!("--curve-{}", place % PALETTE)));
     // past the end of the palette, colours repeat with dashes
-    let is_repeated = curve.colour.is_some_and(|place| place >= PALETTE);
+    let round = curve.colour.map_or(0, |place| place / PALETTE);
     let (tenths, dash) = match curve.style {
-        Style::Line if is_repeated => (13, Some((9, 2))),
-        Style::Line => (13, None),
+        Style::Line => (13, [None, Some((9, 2)), Some((3, 3)), Some((14, 4))][round.min(3)]),
         Style::Dashed => (13, Some((6, 4))),
         Style::Companion => (11, Some((2, 2))),
     };

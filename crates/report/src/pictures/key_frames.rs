@@ -3,7 +3,8 @@
 use netcast_results::Summary;
 use netcast_results::summary::PointExtremes;
 
-use super::colour::SLACK_BELOW;
+use super::colour::{SLACK_BELOW, TensionScale};
+use crate::format::share_of_flat;
 use crate::results::{Results, Scene};
 
 /// A frame with the name of its moment.
@@ -68,6 +69,11 @@ pub(crate) fn highest_tension(scene: &Scene, frame: usize) -> f64 {
     of_ropes.filter(|&tension| tension >= SLACK_BELOW).fold(0.0, f64::max)
 }
 
+/// The scale of tension of all pictures of a run and of its replay.
+pub(crate) fn tension_scale(scene: &Scene) -> TensionScale {
+    TensionScale::up_to((0..scene.frames()).map(|frame| highest_tension(scene, frame)).fold(0.0, f64::max))
+}
+
 /// Up to `count` moments in order of time: the first of `wanted` that lie apart, and frames that halve the widest gaps.
 fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static str)], count: usize) -> Vec<KeyFrame> {
     let times = &scene.fields.times;
@@ -90,14 +96,37 @@ fn chosen(results: &Results, scene: &Scene, wanted: &[(Option<usize>, &'static s
             break;
         };
         let frame = (moments[place - 1].frame + moments[place].frame) / 2;
-        let name = match largest {
-            Some(largest) if frame < largest => "opening",
-            Some(_) => "closing",
-            None => "on the way",
-        };
-        moments.insert(place, KeyFrame { frame, name });
+        moments.insert(place, KeyFrame { frame, name: ON_THE_WAY });
+    }
+    for place in 1..moments.len() {
+        if moments[place].name == ON_THE_WAY {
+            moments[place].name = way(scene, moments[place - 1].frame, moments[place].frame, largest);
+        }
     }
     moments
+}
+
+/// The name of a frame without a moment of its own.
+const ON_THE_WAY: &str = "on the way";
+
+/// The name of `frame` by the picture before it: whether the area that a reader sees beneath both has grown. `largest` is
+/// the frame of the largest area.
+fn way(scene: &Scene, before: usize, frame: usize, largest: Option<usize>) -> &'static str {
+    let (Some(was), Some(is)) = (area(scene, before), area(scene, frame)) else { return ON_THE_WAY };
+    let flat = scene.landmarks.reference_area.filter(|flat| *flat > 0.0).unwrap_or(1.0);
+    let told = |area: f64| share_of_flat(area / flat);
+    match largest {
+        _ if told(is) == told(was) => ON_THE_WAY,
+        _ if is < was => "closing",
+        Some(largest) if frame > largest => "opening again",
+        _ => "opening",
+    }
+}
+
+/// Area of the outline along the launch axis, m^2; none without an outline.
+fn area(scene: &Scene, frame: usize) -> Option<f64> {
+    let positions = scene.fields.positions(frame);
+    Some(scene.landmarks.outline_area(|node| positions[node])?.dot(scene.landmarks.axis).abs())
 }
 
 /// The name of the first frame.
@@ -134,9 +163,5 @@ fn last_until(scene: &Scene, time: f64) -> usize {
 /// The first frame with at least half of the largest area, before frame `largest`; none where that is the first of all.
 fn half_open(results: &Results, scene: &Scene, largest: usize) -> Option<usize> {
     let half = 0.5 * results.summary().opening.area_max_m2?;
-    let area = |frame: usize| {
-        let positions = scene.fields.positions(frame);
-        scene.landmarks.outline_area(|node| positions[node]).map_or(0.0, |area| area.dot(scene.landmarks.axis).abs())
-    };
-    (0..largest).find(|&frame| area(frame) >= half).filter(|&frame| frame > 0)
+    (0..largest).find(|&frame| area(scene, frame).unwrap_or(0.0) >= half).filter(|&frame| frame > 0)
 }

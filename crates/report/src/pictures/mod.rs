@@ -26,6 +26,8 @@ mod strands;
 mod svg_text;
 mod theme;
 
+pub(crate) use colour::SLACK_BELOW;
 pub use files::write_pictures;
+pub(crate) use key_frames::tension_scale;
 pub(crate) use sheets::{clouds_html, postures_html, stowed_html};
 pub(crate) use theme::page_style;

@@ -3,11 +3,10 @@
 use glam::DVec3;
 
 use super::camera::{Camera, View};
-use super::colour::TensionScale;
-use super::key_frames::{self, KeyFrame, highest_tension};
+use super::key_frames::{self, KeyFrame, highest_tension, tension_scale};
 use super::net_picture::{extent, open_share};
 use super::sheet::{Cell, Sheet};
-use crate::format::{percent, significant, time, with_prefix};
+use crate::format::{fixed, share_of_flat, significant, time, with_prefix};
 use crate::results::{Results, Scene};
 
 const POSTURES: usize = 8;
@@ -29,7 +28,7 @@ pub(crate) fn postures<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         columns: 4,
         width: 300.0,
         class: "postures",
-        scale: scale(scene, &moments),
+        scale: tension_scale(scene),
         has_key: true,
         mark: None,
         notes: [THREE_QUARTER].into_iter().chain(has_outline.then_some(shaded)).map(str::to_owned).collect(),
@@ -47,7 +46,7 @@ pub(crate) fn clouds<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         columns: 3,
         width: 400.0,
         class: "wide clouds",
-        scale: scale(scene, &moments),
+        scale: tension_scale(scene),
         has_key: true,
         mark: None,
         notes: [THREE_QUARTER.to_owned()].into_iter().chain(missed_peak(results, scene)).collect(),
@@ -72,7 +71,7 @@ pub(crate) fn stowed<'a>(results: &Results, scene: &'a Scene) -> Sheet<'a> {
         columns: 2,
         width: 440.0,
         class: "wide pair stowed",
-        scale: TensionScale::up_to(highest_tension(scene, 0)),
+        scale: tension_scale(scene),
         has_key: highest_tension(scene, 0) > 0.0,
         mark: closest.as_ref().map(|(place, _)| *place),
         notes: ["Both pictures have one scale. The sizes include tractors and payloads.".to_owned()]
@@ -120,17 +119,13 @@ fn moment_time(scene: &Scene, moment: &KeyFrame) -> Option<String> {
 }
 
 fn share(scene: &Scene, moment: &KeyFrame) -> Option<String> {
-    open_share(scene, moment.frame).map(|share| format!("{} of flat", percent(share)))
+    open_share(scene, moment.frame).map(|share| format!("{} of flat", share_of_flat(share)))
 }
 
 fn travel(scene: &Scene, moment: &KeyFrame) -> Option<String> {
     let centre = &scene.landmarks.centre;
     let along = |frame: usize| scene.mean(frame, centre).dot(scene.landmarks.axis);
-    (!centre.is_empty()).then(|| format!("middle at {:.2} m", along(moment.frame) - along(0)))
-}
-
-fn scale(scene: &Scene, moments: &[KeyFrame]) -> TensionScale {
-    TensionScale::up_to(moments.iter().map(|moment| highest_tension(scene, moment.frame)).fold(0.0, f64::max))
+    (!centre.is_empty()).then(|| format!("middle at {} m", fixed(along(moment.frame) - along(0), 2)))
 }
 
 /// A note on the highest tension of the run where it fell between two frames and is in no picture.

@@ -32,12 +32,16 @@ function make(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** Makes an element of a drawing. */
+function drawing(tag, attributes) {
+  const element = document.createElementNS("http" + "://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}
+
 function icon(name) {
-  const space = "http" + "://www.w3.org/2000/svg";
-  const svg = document.createElementNS(space, "svg");
-  svg.setAttribute("viewBox", "0 0 16 16");
-  svg.setAttribute("aria-hidden", "true");
-  svg.appendChild(document.createElementNS(space, "path")).setAttribute("d", ICONS[name]);
+  const svg = drawing("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" });
+  svg.appendChild(drawing("path", { d: ICONS[name] }));
   return svg;
 }
 
@@ -202,7 +206,7 @@ class Controls {
     const { player } = this;
     const {
       mode,
-      scale: { low, high },
+      scale: { high },
     } = player.look;
     const swatch = (kind, colour, text) => {
       const made = make("span", { class: `replay-swatch ${kind}` }, text);
@@ -217,9 +221,11 @@ class Controls {
         ...player.look.classes.map((name, place) => swatch("", ropes.has(name) ? `curve-${place % 8}` : "soft", name)),
       );
     } else {
+      const { edges, bands } = player.look;
+      // a mark at every third limit is ten times the one before
       const marks =
         mode === "log"
-          ? [0, 1, 2, 3, 4].map((decade) => [decade / 4, low * 10 ** decade])
+          ? edges.map((edge, place) => [place / (edges.length - 1), edge]).filter((_, place) => place % 3 === 0)
           : [0, 1, 2, 3, 4].map((part) => [part / 4, (high * part) / 4]);
       const scale = make(
         "div",
@@ -230,9 +236,10 @@ class Controls {
           return mark;
         }),
       );
+      if (mode === "log") scale.style.setProperty("--bands", bands);
       const note =
         mode === "log"
-          ? "Tension per rope; each mark is ten times the one before."
+          ? `Tension per rope; each mark is ten times the one before.${player.views.length > 1 ? "" : " The pictures have this scale too."}`
           : `Tension per rope; 0.5 % of the tensions exceed the scale. The highest is ${force(Math.max(...player.views.map(({ data }) => data.tension.max)))}.`;
       this.legend.replaceChildren(swatch("", "slack", "slack"), scale, make("span", { class: "replay-note" }, note));
     }

@@ -3,6 +3,7 @@
 class Labels {
   /** The labels of a view, most important first: where two would overlap, only the earlier is shown. */
   constructor(view, host) {
+    this.host = host;
     this.axis = view.data.axis;
     this.overlay = host.appendChild(document.createElement("div"));
     this.overlay.className = "replay-labels";
@@ -28,9 +29,21 @@ class Labels {
     return { element, name, at, kind, size: null };
   }
 
+  /** Measures the readout and the signs again before the next placing. */
+  crowded() {
+    this.kept = null;
+  }
+
+  /** The boxes of the readout, the ruler and the wind, which no label may cover: left, top, right, bottom, px. */
+  boxes() {
+    const signs = [...this.host.querySelectorAll(".replay-state, .replay-title, .replay-ruler, .replay-wind")];
+    return signs.map(({ offsetLeft: l, offsetTop: t, offsetWidth: w, offsetHeight: h }) => [l - 4, t - 2, l + w + 4, t + h + 2]);
+  }
+
   /** Places each label on the first free side of its point. Without one, a feature point shows its dot alone. */
   place(m, width, height, look) {
-    const taken = [];
+    this.kept ??= this.boxes();
+    const taken = [...this.kept];
     // hide the marks of an axis seen from its end: they cover each other
     const endOn = Math.abs(dot(look.camera.frame.back, this.axis)) > 0.97;
     for (const label of this.labels) {

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The element is text that the browser ignores until `data.js` inflates it with the browser's own functions.
-//! `view.js` draws the net with WebGL 2, `player.js` is the clock, `camera.js` the camera, `controls.js` the buttons
+//! `view.js` draws the net with WebGL 2, `signs.js` the ruler and the wind over it, `player.js` is the clock, `camera.js` the camera, `controls.js` the buttons
 //! and `gestures.js` the keys and pointers.
 
 mod pack;
@@ -36,6 +36,8 @@ pub(crate) const SCRIPT: &str = concat!(
     include_str!("camera.js"),
     include_str!("shaders.js"),
     include_str!("labels.js"),
+    include_str!("signs.js"),
+    include_str!("meshes.js"),
     include_str!("view.js"),
     include_str!("gestures.js"),
     include_str!("controls.js"),
@@ -56,14 +58,16 @@ pub(crate) struct Replay {
 
 /// Packs a run into an element with this id, of about `budget` bytes at most.
 ///
+/// `wind` is the wind at the muzzle at the start, m/s, which the replay shows as an arrow.
+///
 /// A larger run loses frames first and then nodes inside ropes. The frames of the largest area and of the largest
 /// tension always stay.
-pub(crate) fn replay(scene: &Scene, id: &str, budget: usize) -> Replay {
+pub(crate) fn replay(scene: &Scene, id: &str, budget: usize, wind: Option<[f64; 3]>) -> Replay {
     let segments = scene.fields.topology.segments.len();
     let mut sampling = Sampling { frames: 1, nodes: segments.div_ceil(MOST_SEGMENTS).max(1) };
     let mut drawn = Drawn::of(scene, sampling.nodes);
     loop {
-        let packed = STANDARD.encode(pack(scene, &drawn, sampling.frames));
+        let packed = STANDARD.encode(pack(scene, &drawn, sampling.frames, wind));
         if packed.len() <= budget {
             let element = format!("<script type=\"application/octet-stream;base64\" id=\"{id}\">{packed}</script>\n");
             return Replay { element, thinned: thinned(scene, sampling) };
@@ -254,7 +258,7 @@ mod tests {
 
     #[test]
     fn an_unpacked_replay_equals_the_run_to_within_its_rounding() {
-        let replay = replay(&scene(), "run", BUDGET_BYTES);
+        let replay = replay(&scene(), "run", BUDGET_BYTES, None);
         assert_eq!(replay.thinned, None);
         assert!(replay.element.starts_with("<script type=\"application/octet-stream;base64\" id=\"run\">"));
         let Unpacked { meanings, ends, positions, tensions } = unpacked(&replay);
@@ -290,7 +294,7 @@ mod tests {
     fn nodes_without_ropes_or_meanings_are_listed_as_aside() {
         let Scene { fields, mut landmarks, .. } = scene();
         landmarks.classes[1].is_rope = false;
-        let meanings = unpacked(&replay(&Scene::new(fields, landmarks), "run", BUDGET_BYTES)).meanings;
+        let meanings = unpacked(&replay(&Scene::new(fields, landmarks), "run", BUDGET_BYTES, None)).meanings;
         // the ropes end at node 300; of the nodes beyond, the outline and the tractor have a meaning
         let aside: Vec<usize> = (301..SEGMENTS).filter(|&node| node != 400).collect();
         assert_eq!(meanings["aside"], serde_json::json!(aside));
@@ -298,8 +302,8 @@ mod tests {
 
     #[test]
     fn a_small_budget_leaves_out_frames_but_not_that_of_the_largest_tension() {
-        let whole = replay(&scene(), "run", BUDGET_BYTES).element.len();
-        let replay = replay(&scene(), "run", 2 * whole / 5);
+        let whole = replay(&scene(), "run", BUDGET_BYTES, None).element.len();
+        let replay = replay(&scene(), "run", 2 * whole / 5, None);
         assert!(replay.element.len() < 2 * whole / 5 + 100);
         assert_eq!(replay.thinned.as_deref(), Some("The replay holds every 3rd of 400 frames."));
         let unpacked = unpacked(&replay);
@@ -314,8 +318,8 @@ mod tests {
     #[test]
     fn a_smaller_budget_leaves_out_nodes_inside_ropes() {
         let scene = scene();
-        let whole = replay(&scene, "run", BUDGET_BYTES).element.len();
-        let replay = replay(&scene, "run", whole / 10);
+        let whole = replay(&scene, "run", BUDGET_BYTES, None).element.len();
+        let replay = replay(&scene, "run", whole / 10, None);
         assert!(replay.element.len() < whole / 10 + 100);
         let thinned = replay.thinned.as_deref().unwrap();
         assert!(thinned.contains("frames and every ") && thinned.ends_with(" node of a rope."), "{thinned}");
@@ -328,7 +332,7 @@ mod tests {
 
     #[test]
     fn a_budget_too_small_for_any_replay_gives_none() {
-        let replay = replay(&scene(), "run", 100);
+        let replay = replay(&scene(), "run", 100, None);
         assert_eq!((replay.element.as_str(), replay.thinned.is_some()), ("", true));
     }
 

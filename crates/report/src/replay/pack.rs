@@ -22,6 +22,7 @@ use netcast_results::{BodyShape, OPEN_SHARE};
 use serde_json::{Value, json};
 
 use super::thin::Drawn;
+use crate::pictures::tension_scale;
 use crate::results::Scene;
 
 /// Orders of magnitude between the codes 1 and 254 of a tension.
@@ -42,15 +43,17 @@ pub(crate) struct Sampling {
     pub nodes: usize,
 }
 
-/// The deflated bytes of a run with every `stride`-th frame.
-pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize) -> Vec<u8> {
+/// The deflated bytes of a run with every `stride`-th frame; `wind` in m/s.
+pub(crate) fn pack(scene: &Scene, drawn: &Drawn, stride: usize, wind: Option<[f64; 3]>) -> Vec<u8> {
     let frames = kept_frames(scene, stride);
     let grid = Grid::around(scene, drawn, &frames);
     let tensions = Tensions::of(scene, drawn, &frames);
     let mut deflated = ZlibEncoder::new(Vec::new(), Compression::default());
     let mut put = |bytes: &[u8]| deflated.write_all(bytes).expect("memory takes what it is given");
 
-    let mut meanings = meanings(scene, drawn, &frames, &grid, &tensions).to_string();
+    let mut meanings = meanings(scene, drawn, &frames, &grid, &tensions);
+    meanings["wind_m_s"] = json!(wind);
+    let mut meanings = meanings.to_string();
     meanings.push_str(&" ".repeat(meanings.len().next_multiple_of(4) - meanings.len()));
     put(&(meanings.len() as u32).to_le_bytes());
     put(meanings.as_bytes());
@@ -208,6 +211,7 @@ fn meanings(scene: &Scene, drawn: &Drawn, frames: &[usize], grid: &Grid, tension
         "tension_max_n": tensions.largest,
         "tension_decades": TENSION_DECADES,
         "tension_linear_top_n": tensions.linear_top,
+        "tension_edges_n": tension_scale(scene).edges(),
         "classes": classes,
         "aside": aside,
         "axis": landmarks.axis.to_array(),

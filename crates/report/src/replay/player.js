@@ -2,10 +2,6 @@
 
 /** Time that the whole run takes at the first speed, s. */
 const WATCHED_S = 8;
-/** The smallest of ..., 1, 2, 5, 10, ... that is at least `value`. */
-function roundedUp(value) {
-  return niceStep(value, 1);
-}
 
 class Player {
   /**
@@ -29,9 +25,10 @@ class Player {
     this.requested = 0;
     const most = (what) => Math.max(...views.map(({ data }) => data[what]));
     const camera = new Camera(views[0].data.axis, most("across"), most("up"));
-    const top = roundedUp(Math.max(...views.map(({ data }) => data.tension.max)));
+    // the limits of the colours, N: those of the pictures, or of the design with the highest tension
+    const edges = views.map(({ data }) => data.tension.edges).reduce((most, one) => (one.at(-1) > most.at(-1) ? one : most));
     this.scales = {
-      log: { low: top / 1e4, high: top },
+      log: { low: edges[0], high: edges.at(-1) },
       linear: { low: 0, high: Math.max(...views.map(({ data }) => data.tension.linearTop)) },
     };
     this.look = {
@@ -42,6 +39,7 @@ class Player {
       labels: true,
       canopies: true,
       scale: this.scales.log,
+      edges,
     };
     // a link class has one colour in all views
     this.look.classes = [...new Set(views.flatMap(({ data }) => data.classes.map(({ name }) => name)))];
@@ -178,11 +176,23 @@ class Player {
     const stops = colour("tension-map")
       .split(",")
       .map((stop) => parsed(stop.trim()));
-    const map = Array.from({ length: 256 }, (_, place) => {
-      const at = (place / 255) * (stops.length - 1),
+    const shade = (share) => {
+      const at = share * (stops.length - 1),
         stop = Math.min(stops.length - 2, Math.floor(at));
       return stops[stop].map((part, which) => part + (at - stop) * (stops[stop + 1][which] - part));
-    });
+    };
+    // on the logarithmic scale a colour for each bin, as in the pictures
+    const { edges, mode } = this.look;
+    const bins = edges.length - 1;
+    const binAt = (share) => {
+      const tension = edges[0] * (edges[bins] / edges[0]) ** share;
+      return edges.slice(1, bins).filter((edge) => tension >= edge).length;
+    };
+    const shares = Array.from({ length: 256 }, (_, place) => (place + 0.5) / 256);
+    const map = shares.map((share) => shade(mode === "log" ? binAt(share) / (bins - 1) : share));
+    const band = (bin) => `rgb(${shade(bin / (bins - 1)).slice(0, 3).map((part) => Math.round(255 * part))})`;
+    const bands = edges.slice(1).map((_, bin) => `${band(bin)} ${(100 * bin) / bins}% ${(100 * (bin + 1)) / bins}%`);
+    this.look.bands = bands.join(", ");
     const faint = (name, alpha) => [...parsed(colour(name)).slice(0, 3), alpha];
     this.look.colours = {
       map,
@@ -202,6 +212,7 @@ class Player {
   colourBy(mode) {
     this.look.mode = mode;
     this.look.scale = this.scales[mode] ?? this.scales.log;
+    this.restyle();
     this.controls.colourChoice.value = mode;
     this.controls.showLegend();
     this.redraw();

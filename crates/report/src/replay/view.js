@@ -7,59 +7,6 @@ function niceStep(length, parts) {
   return [1, 2, 5, 10].map((step) => step * decade).find((step) => step >= rough * (1 - 1e-9));
 }
 
-/** A cylinder of diameter 1 and height 1 about the origin: positions and normals, triangle by triangle. */
-function cylinder(sides) {
-  const mesh = [];
-  const at = (side) => [Math.cos((2 * Math.PI * side) / sides), Math.sin((2 * Math.PI * side) / sides)];
-  for (let side = 0; side < sides; side++) {
-    const [a, b] = [at(side), at(side + 1)];
-    for (const [[x, y], z] of [
-      [a, -0.5],
-      [b, -0.5],
-      [b, 0.5],
-      [a, -0.5],
-      [b, 0.5],
-      [a, 0.5],
-    ])
-      mesh.push(x / 2, y / 2, z, x, y, 0);
-    for (const z of [-0.5, 0.5])
-      for (const [x, y] of [[0, 0], a, b]) mesh.push(x / 2, y / 2, z, 0, 0, 2 * z);
-  }
-  return new Float32Array(mesh);
-}
-
-/** A cube of side 1 about the origin, in the format of `cylinder`. */
-function cube() {
-  const mesh = [];
-  for (let axis = 0; axis < 3; axis++) {
-    for (const side of [-0.5, 0.5]) {
-      for (const [u, v] of [[-1, -1], [1, -1], [1, 1], [-1, -1], [1, 1], [-1, 1]]) {
-        const [place, normal] = [[0, 0, 0], [0, 0, 0]];
-        [place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]] = [side, u / 2, v / 2];
-        normal[axis] = 2 * side;
-        mesh.push(...place, ...normal);
-      }
-    }
-  }
-  return new Float32Array(mesh);
-}
-
-/** A sphere of diameter 1 about the origin, in the format of `cylinder`. */
-function sphere(sides) {
-  const mesh = [];
-  const at = (side, ring) => {
-    const [turn, tilt] = [(2 * Math.PI * side) / sides, (2 * Math.PI * ring) / sides - Math.PI / 2];
-    return [Math.cos(turn) * Math.cos(tilt), Math.sin(turn) * Math.cos(tilt), Math.sin(tilt)];
-  };
-  for (let ring = 0; ring < sides / 2; ring++) {
-    for (let side = 0; side < sides; side++) {
-      const [a, b, c, d] = [at(side, ring), at(side + 1, ring), at(side + 1, ring + 1), at(side, ring + 1)];
-      for (const normal of [a, b, c, a, c, d]) mesh.push(...scaled(normal, 0.5), ...normal);
-    }
-  }
-  return new Float32Array(mesh);
-}
-
 /** The world axes of a body, interpolated between its orientations in two frames, [x, y, z, w] each. */
 function turnedAxes(now, next, between) {
   // a quaternion and its negative are the same orientation: take the one with the shorter rotation
@@ -95,10 +42,12 @@ class View {
     const [first, last] = [Math.ceil(this.axisEnds[0] / this.tick), Math.floor(this.axisEnds[1] / this.tick)];
     this.marks = Array.from({ length: last - first + 1 }, (_, place) => (first + place) * this.tick);
     this.labels = new Labels(this, host);
+    this.signs = new Signs(host, data.wind);
     this.gl = this.canvas.getContext("webgl2", { alpha: true, antialias: true, premultipliedAlpha: true });
     if (this.gl === null) {
       this.canvas.remove();
       this.labels.overlay.remove();
+      this.signs.remove();
       this.note("replay-missing", "The replay needs WebGL 2, which this browser does not offer here.");
     } else {
       this.build();
@@ -109,7 +58,10 @@ class View {
       });
     }
     this.visible = true;
-    new ResizeObserver(() => this.stale()).observe(host);
+    new ResizeObserver(() => {
+      this.labels.crowded();
+      this.stale();
+    }).observe(host);
     new IntersectionObserver(([entry]) => {
       this.visible = entry.isIntersecting;
       this.stale();
@@ -320,6 +272,7 @@ class View {
     this.drawSheets(scene);
     gl.depthMask(true);
     gl.bindVertexArray(null);
+    this.signs.place(look.camera, width, height);
     this.labels.place(matrix, width, height, look);
   }
 
@@ -469,13 +422,23 @@ class View {
     }
   }
 
+  /** A share in whole per cent; one that is below the limit does not read like the limit. */
+  static percent(share, limit) {
+    const whole = (100 * share).toFixed(0);
+    const misses = share < limit && Number(whole) >= Math.round(100 * limit);
+    return misses ? (Math.floor(1000 * share) / 10).toFixed(1) : whole;
+  }
+
   /** Shows in a corner how far the web is open. */
   say() {
     const area = this.atMoment(this.data.areas),
       share = this.openShare;
     if (area === null) return;
-    const open = share === null ? "" : ` · ${(100 * share).toFixed(0)} % of flat`;
-    this.state.textContent = `${area.toFixed(area < 9.995 ? 2 : 1)} m²${open}`;
-    this.state.classList.toggle("open", share !== null && share >= this.data.openFrom);
+    const isOpen = share !== null && share >= this.data.openFrom;
+    const open = share === null ? "" : ` · ${View.percent(share, isOpen ? 1 : this.data.openFrom)} % of flat`;
+    const text = `${area.toFixed(area < 9.995 ? 2 : 1)} m²${open}`;
+    if (text.length !== this.state.textContent.length) this.labels.crowded();
+    this.state.textContent = text;
+    this.state.classList.toggle("open", isOpen);
   }
 }

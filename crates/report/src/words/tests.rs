@@ -101,7 +101,7 @@ fn a_complete_summary_gives_all_sentences_in_order() {
             "Rope border is worst off: 54 % of the strength that knots leave it (20 % less), in an outline rope; a margin of 1.84.",
             "The bottom ropes, which meet point B, bear up to 14.2 kN, 3.90 kN on average while the web opens.",
             "The tractors travel 5.93 m along the launch axis by 0.500 s and span up to 32.4 m² at 0.160 s.",
-            "Point B is the fastest: 112 m/s at 0.070 s.",
+            "Of the feature points, B is the fastest: 112 m/s at 0.070 s.",
             "The middle trails the outline from 0.004 s until 0.187 s and leads it from 0.212 s.",
             "While it is open the mouth leans by at most 2.9°, and the reach of its corners differs by 2 % at most.",
             "The web's centre of mass rises to 5.76 m at 0.539 s and hangs within 5 % of that for at least 0.246 s, up to \
@@ -163,6 +163,7 @@ fn faults_of_a_failed_run_are_reported() {
     let mut summary = full();
     summary["finished"] = json!(false);
     summary["opening"]["effective_from_s"] = json!(null);
+    summary["opening"]["area_max_m2"] = json!(12.0);
     summary["tension"]["by_rope"]["border"] = json!({"utilisation": 1.25});
     summary["target"]["covered_from_s"] = json!(null);
     summary["target"]["coverage_max"] = json!(0.62);
@@ -233,4 +234,57 @@ fn a_launch_has_a_sentence_if_it_has_spin_or_recoil() {
     let expected = "2 of 3 tractors have left at 31.0 to 33.0 m/s, 0.020 s to 0.030 s after the start; the recoil is up to \
                     4.50 kN, 95.0 N s in all.";
     assert_eq!(told(&launch).unwrap(), expected);
+}
+
+#[test]
+fn a_web_that_just_misses_eighty_per_cent_is_not_said_to_open_to_them() {
+    let mut summary = full();
+    summary["opening"]["area_max_m2"] = json!(0.799 * 16.238);
+    summary["opening"]["effective_from_s"] = json!(null);
+    assert_eq!(
+        words(&summary)[..2],
+        ["Opens to 13.0 m² (79.9 % of the flat web) at 0.131 s.", "Never reaches 80 % of the flat web."]
+    );
+    // nor is one that opens to next to nothing
+    summary["opening"]["area_max_m2"] = json!(1e-19);
+    assert_eq!(words(&summary)[0], "The web does not open.");
+    assert!(words(&summary).iter().all(|told| !told.contains("80 %")));
+}
+
+#[test]
+fn the_rounding_error_of_a_slack_rope_is_no_pull() {
+    let mut summary = full();
+    summary["tension"] = json!({"max_n": 1.1e-10, "max_where": "ring", "bottom_max_n": 1.1e-10,
+                                "by_rope": {"rope": {"utilisation": 1e-14}}});
+    let told = words(&summary);
+    assert!(told.contains(&"No rope is ever taut.".into()), "{told:?}");
+    assert!(told.contains(&"The bottom ropes, which meet point B, stay slack.".into()), "{told:?}");
+    assert!(told.iter().all(|told| !told.contains("e-10") && !told.contains("worst off")), "{told:?}");
+}
+
+#[test]
+fn a_web_that_lifts_by_a_millimetre_does_not_rise_and_hang() {
+    let mut summary = full();
+    summary["flight"]["apex_height_m"] = json!(0.0014);
+    assert!(words(&summary).iter().all(|told| !told.contains("hangs")));
+    summary["flight"]["apex_height_m"] = json!(0.4);
+    summary["flight"]["apex_time_s"] = json!(1e-4);
+    assert!(words(&summary).iter().all(|told| !told.contains("hangs")));
+}
+
+#[test]
+fn the_place_where_the_web_opens_is_told() {
+    let mut summary = full();
+    summary["places"]["opening"] = json!({"travel_m": 4.21, "ground_distance_m": 4.0, "height_m": -1.2});
+    let place = "It reaches 80 % after 4.21 m along the launch axis: 4.00 m over the ground, 1.20 m below the muzzle.";
+    assert_eq!(words(&summary)[2], place);
+    summary["places"]["opening"]["height_m"] = json!(-1e-6);
+    assert!(words(&summary)[2].ends_with("4.00 m over the ground, level with the muzzle."));
+}
+
+#[test]
+fn points_whose_speeds_read_alike_share_the_first_place() {
+    let mut summary = full();
+    summary["points"]["A"]["peak_speed_m_s"] = json!(112.1);
+    assert!(words(&summary).contains(&"Of the feature points, A and B are the fastest: 112 m/s.".into()));
 }
