@@ -86,6 +86,43 @@ export const overflowing = (page) =>
       : names;
   });
 
+/** The contents list every section of the page, in order, and each link leads to its section. */
+export async function contents(page, checks) {
+  const { links, sections, side } = await page.evaluate(() => {
+    const [list, main] = [".contents", "main"].map((part) => document.querySelector(part).getBoundingClientRect());
+    return {
+      links: [...document.querySelectorAll(".contents a")].map((link) => [link.getAttribute("href"), link.textContent]),
+      sections: [...document.querySelectorAll("main > section[id]")].map(({ id, firstElementChild }) => [
+        `#${id}`,
+        firstElementChild.textContent,
+      ]),
+      side: innerWidth >= 1200 ? list.right <= main.left : list.bottom <= main.top + 1,
+    };
+  });
+  checks.holds("there are contents", links.length > 2, links);
+  checks.holds("the contents list the sections", JSON.stringify(links) === JSON.stringify(sections), { links, sections });
+  checks.holds("the contents lie beside or above the page", side);
+}
+
+/** The number of pages of the page on A4 paper. */
+export async function pages(page) {
+  const text = (await page.pdf({ format: "A4", printBackground: true })).toString("latin1");
+  return text.match(/\/Type\s*\/Page\b/g).length;
+}
+
+/** The numbers of the ruler over a view: metres, its width in px and the metres in a pixel. */
+export const ruler = (page, view) =>
+  page.evaluate((view) => {
+    const host = document.querySelector(view), sign = host.querySelector(".replay-ruler");
+    const { camera } = netcast.player.look;
+    return {
+      text: sign.textContent,
+      metres: parseFloat(sign.textContent),
+      width: sign.getBoundingClientRect().width,
+      pixel: camera.pixel(host.clientWidth, host.clientHeight),
+    };
+  }, view);
+
 /** Puts one or two fingers down, moves them along straight lines and lifts them. A finger is [[x, y], [x, y]]. */
 export async function touch(page, ...fingers) {
   const client = await page.context().newCDPSession(page);

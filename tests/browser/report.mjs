@@ -1,9 +1,14 @@
 // node report.mjs FOLDER... opens each report.html offline, plays it, moves its slider, turns and pinches its view. It prints
 // one JSON line a report: bytes, opening time, frames a second in software. Exit status 1 if a check fails.
 
-import { statSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { basename, resolve } from "node:path";
-import { Checks, DESKTOP, PHONE, launch, look, open, overflowing, settled, touch } from "./browser.mjs";
+import {
+  Checks, DESKTOP, PHONE, contents, launch, look, open, overflowing, pages, ruler, settled, touch,
+} from "./browser.mjs";
+
+/** Most pages of A4 that a report of this size may take. */
+const MOST_PAGES = 4;
 
 const STAGE = "#replay-view";
 const time = (page) => page.evaluate(() => netcast.player.time);
@@ -27,6 +32,83 @@ async function draws(page, checks) {
   checks.holds("ropes have the colour of their tension", seen.vivid > 100, seen);
   const labels = await page.locator(".replay-label > span:visible").allTextContents();
   checks.holds("something is labelled", labels.length > 0);
+}
+
+/** The ruler measures the view at any zoom; the wind has an arrow where there is wind; nothing covers the readout. */
+async function signs(page, checks, summary) {
+  const measures = async () => {
+    const { text, metres, width, pixel } = await ruler(page, STAGE);
+    checks.holds("the ruler is in metres", /^[\d.]+ m$/.test(text), text);
+    checks.near("the ruler is as long as it says", width * pixel, metres, 0.02 * metres);
+    checks.holds("the ruler is neither short nor long", width > 35 && width < 115, width);
+    return metres;
+  };
+  const before = await measures();
+  await page.evaluate(() => netcast.player.zoom(0.1));
+  await settled(page);
+  checks.holds("the ruler follows the zoom", (await measures()) < 0.3 * before);
+  await page.evaluate(() => netcast.player.reset());
+  await settled(page);
+
+  const blows = (summary.air?.wind_m_s ?? []).some((speed) => speed !== 0);
+  checks.holds("an arrow where there is wind alone", ((await page.locator(".replay-wind").count()) === 1) === blows);
+  if (blows) {
+    const arrow = () => page.locator(".replay-wind path").getAttribute("d");
+    const first = await arrow();
+    await page.evaluate(() => netcast.player.lookFrom("side"));
+    await settled(page);
+    checks.holds("the arrow turns with the camera", (await arrow()) !== first);
+    await page.evaluate(() => netcast.player.reset());
+  }
+  const duration = await page.evaluate(() => netcast.player.duration);
+  for (const share of [0.1, 0.3, 0.6, 1]) {
+    for (const from of ["three-quarter", "side", "axis"]) {
+      await page.evaluate((from) => netcast.player.lookFrom(from), from);
+      await seek(page, share * duration);
+      const covered = await page.evaluate((stage) => {
+        const boxes = (selector) => [...document.querySelectorAll(`${stage} ${selector}`)]
+          .filter((part) => getComputedStyle(part).visibility === "visible").map((part) => part.getBoundingClientRect());
+        const signs = boxes(":is(.replay-state, .replay-ruler, .replay-wind)");
+        return boxes(".replay-label > span").filter((label) => signs.some((sign) =>
+          label.left < sign.right && label.right > sign.left && label.top < sign.bottom && label.bottom > sign.top)).length;
+      }, STAGE);
+      checks.holds(`no label lies over the readout, ${from} at ${share}`, covered === 0, covered);
+    }
+  }
+  await page.evaluate(() => netcast.player.reset());
+  await settled(page);
+}
+
+/** All curves of a figure look different, and channels of energy that are zero all along have none. */
+async function distinct(page, checks, folder) {
+  const figures = await page.evaluate(() => netcast.charts.charts.map(({ figure, plot, key }) => ({
+    id: figure.id,
+    names: figure.curves.map(({ name }) => name),
+    looks: plot.data.map(({ line }) => `${line.color} ${line.dash}`),
+    keys: [...key.querySelectorAll("button")].map((entry) => `${entry.style.cssText} ${entry.className}`),
+  })));
+  for (const { id, looks, keys } of figures) {
+    checks.holds(`no two curves of ${id} look alike`, new Set(looks).size === looks.length, looks);
+    checks.holds(`no two names of ${id} look alike`, new Set(keys).size === keys.length, keys);
+  }
+  const [head, ...rows] = readFileSync(resolve(folder, "history.csv"), "utf8").trim().split("\n").map((row) => row.split(","));
+  const energies = figures.find(({ id }) => id === "energies")?.names ?? [];
+  for (const [column, title] of head.entries()) {
+    const channel = title.match(/^energy_(.*)_j$/)?.[1].replaceAll("_", " ");
+    if (channel === undefined || rows.some((row) => Number(row[column]) !== 0)) continue;
+    checks.holds(`${channel}, zero all along, has no curve`, !energies.includes(channel));
+  }
+}
+
+/** Replay and pictures have one scale of tension. */
+async function oneScale(page, checks) {
+  const { edges, keys } = await page.evaluate(() => ({
+    edges: netcast.player.look.edges,
+    keys: [...document.querySelectorAll(".net-key svg")].map((key) => [...key.querySelectorAll("text")].at(-1).textContent),
+  }));
+  const factor = { k: 1e3, M: 1e6 };
+  for (const key of keys)
+    checks.near("the pictures' scale ends as the replay's", parseFloat(key) * (factor[key.at(-1)] ?? 1), edges.at(-1), 1e-9 * edges.at(-1));
 }
 
 async function plays(page, checks) {
@@ -180,6 +262,7 @@ async function linked(page, checks) {
 async function phone(browser, file, checks) {
   const { page, context, complaints } = await open(browser, file, PHONE);
   checks.holds("nothing stands out on a phone", (await overflowing(page)).length === 0, await overflowing(page));
+  await contents(page, checks);
   await page.locator(STAGE).scrollIntoViewIfNeeded();
   await draws(page, checks);
   const [x, y] = await middle(page, STAGE);
@@ -231,7 +314,12 @@ async function check(browser, folder) {
   const checks = new Checks();
   const file = resolve(folder, "report.html");
   const { page, context, complaints } = await open(browser, file);
+  const summary = JSON.parse(readFileSync(resolve(folder, "summary.json"), "utf8"));
   await draws(page, checks);
+  await contents(page, checks);
+  await signs(page, checks, summary);
+  await distinct(page, checks, folder);
+  await oneScale(page, checks);
   const fps = await plays(page, checks);
   await scrubs(page, checks);
   await turns(page, checks);
@@ -242,7 +330,11 @@ async function check(browser, folder) {
   const dark = await look(page, STAGE);
   checks.holds("dark when the reader's screen is", dark.brightness < 0.3, dark);
   checks.holds("drawn in the dark", dark.vivid > 100, dark);
-  await page.emulateMedia({ colorScheme: "light", media: "print" });
+  const paper = await pages(page);
+  checks.holds("few pages on paper", paper <= MOST_PAGES, paper);
+  await page.emulateMedia({ colorScheme: "dark", media: "print" });
+  const card = await page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--card").trim());
+  checks.holds("ink on white on paper, also for a reader in the dark", card === "#ffffff", card);
   checks.holds("no empty stage on paper", !(await page.locator(STAGE).isVisible()));
   checks.holds("no complaint", complaints.length === 0, complaints);
   const size = await page.evaluate(() => {
@@ -265,6 +357,7 @@ async function check(browser, folder) {
       report: basename(resolve(folder)),
       bytes: statSync(file).size,
       ...size,
+      pages_a4: paper,
       first_paint_ms: round(painted),
       replay_ms: round(replay),
       curves_ms: round(curves),

@@ -315,6 +315,7 @@ fn part_name(part: &str) -> String {
     match part {
         "tractor" => "tractors".into(),
         "corner" => "corners".into(),
+        "mass_centre" => "centre of mass".into(),
         other => other.to_owned(),
     }
 }

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use netcast_results::{Dimension, Quantity, SECTIONS, SummaryFile, quantities, quantity_at};
 use serde_json::Value;
 
-use crate::format::{Scale, duration, escape, fixed, grouped, percent, share_of_flat, significant, time, with_prefix};
+use crate::format::{
+    Scale, duration, escape, fixed, grouped, percent, prose, share_of_flat, significant, time, with_prefix,
+};
 use crate::words::is_equilibrium;
 
 /// The cell of a quantity that a scenario lacks.
@@ -205,7 +207,7 @@ fn ropes(file: &SummaryFile) -> String {
 /// A table of names and values; empty text where there are no rows.
 fn pairs(title: &str, rows: &[(String, String)]) -> String {
     let row = |(name, value): &(String, String)| {
-        format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name), escape(value))
+        format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", prose(name), prose(value))
     };
     let rows: String = rows.iter().map(row).collect();
     if rows.is_empty() {

@@ -5,7 +5,7 @@ use netcast_results::{Better, Comparison};
 use serde_json::{Map, Value};
 
 use super::swatch;
-use crate::format::{Scale, duration, escape, fixed, grouped, percent, significant};
+use crate::format::{Scale, duration, escape, fixed, grouped, percent, prose, significant};
 
 /// The cell of a quantity that a design lacks.
 const NOTHING: &str = "<td class=\"nothing\">–</td>";
@@ -105,7 +105,7 @@ fn result(comparison: &Comparison, row: &Row, reported: &[bool]) -> String {
     format!(
         "<tr title=\"{}\"><th scope=\"row\">{}<span class=\"unit\">{}</span>{wanted}{unsteady}</th>{cells}</tr>\n",
         escape(&row.quantity),
-        escape(&row.label),
+        prose(&row.label),
         escape(&unit)
     )
 }

@@ -8,7 +8,7 @@
 class Charts {
   static CURVES = 8;
   /** Size of a figure on paper, px; page.css has the same height. */
-  static PAPER = { width: 320, height: 132 };
+  static PAPER = { width: 320, height: 118 };
   /** The dashes of curves whose colours repeat, by round of the palette; page.css has the same as `.dash-1` to `.dash-3`. */
   static DASHES = ["solid", "9px,4px", "3px,3px", "11px,3px,3px,3px"];
 
@@ -127,6 +127,7 @@ class Charts {
       gridcolor: colours.grid, linecolor: colours.rule, zerolinecolor: colours.rule, tickcolor: colours.rule,
       ticks: "outside", ticklen: 4, automargin: true, tickfont: { size: paper ? 8.5 : 12 },
     };
+    const title = paper ? { standoff: 2, font: { size: 9 } } : { standoff: 8, font: { size: 13 } };
     const shapes = figure.shaded === null ? [] : [{
       type: "rect", xref: "x", yref: "paper", x0: figure.shaded[0], x1: figure.shaded[1], y0: 0, y1: 1,
       fillcolor: colours.shade, line: { width: 0 }, layer: "below",
@@ -136,9 +137,9 @@ class Charts {
       font: { family: getComputedStyle(document.body).fontFamily, size: paper ? 9 : 12.5, color: colours.ink },
       ...(paper ? { ...Charts.PAPER, autosize: false } : { autosize: true }),
       margin: paper ? { l: 34, r: 6, t: 6, b: 24 } : { l: 56, r: 12, t: 28, b: 40 },
-      xaxis: { ...axis, title: { text: "time, s", standoff: paper ? 3 : 8 }, hoverformat: ".4~f",
+      xaxis: { ...axis, title: { ...title, text: "time, s" }, hoverformat: ".4~f",
         unifiedhovertitle: { text: "%{x} s" }, showspikes: true, spikemode: "across", spikethickness: 1, spikedash: "solid", spikecolor: colours.soft },
-      yaxis: { ...axis, title: { text: figure.yTitle, standoff: paper ? 3 : 8 }, rangemode: "tozero" },
+      yaxis: { ...axis, title: { ...title, text: figure.yTitle }, rangemode: "tozero" },
       // a drag moves the cursor; the toolbar has zoom and pan
       hovermode: "x unified", dragmode: false, showlegend: false,
       hoverlabel: { bgcolor: colours.card, bordercolor: colours.rule, font: { color: colours.ink, size: 12 } },
