@@ -174,3 +174,13 @@ fn pictures_of_a_comparison_are_refused_with_the_folders_to_name_instead() {
     let error = write_pictures(folder.path()).unwrap_err().to_string();
     assert!(error.contains("holds a comparison") && error.ends_with("ring, star"), "{error}");
 }
+
+#[test]
+fn replays_come_before_tables_and_the_contents_list_all_sections() {
+    let page = own(&page());
+    let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("the page has no {text}"));
+    assert!(place("class=\"stages\"") < place("<table"));
+    let ids: Vec<&str> = page.split("<section class=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    assert_eq!(ids, ["replay", "came-out", "differences", "figures", "quantities"]);
+    assert!(ids.iter().all(|id| page.contains(&format!("<a href=\"#part-{id}\">"))));
+}

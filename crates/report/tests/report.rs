@@ -233,3 +233,60 @@ fn the_error_names_the_file_that_is_missing_or_malformed() {
     fs::write(bad_json.path().join("manifest.json"), "{").unwrap();
     assert!(matches!(write_report(bad_json.path()), Err(ReportError::Result(ResultError::Json { .. }))));
 }
+
+#[test]
+fn channels_that_are_zero_all_along_have_no_curve_and_the_others_look_different() {
+    let channels = |count: usize| (0..count).map(|place| format!("energy_c{place}_j")).collect::<Vec<_>>().join(",");
+    let row = |time: f64| {
+        // the fourth holds nothing, the fifth the rounding error of the others
+        let values = (0..17).map(|place| match place {
+            3 => 0.0,
+            4 => 1e-12,
+            other => 1e3 * time + other as f64,
+        });
+        format!("{time},{}\n", values.map(|value| value.to_string()).collect::<Vec<_>>().join(","))
+    };
+    let history = format!("time_s,{}\n{}{}", channels(17), row(0.0), row(0.1));
+    let page = page(&summary(), &history);
+    let figures = figures(&page);
+    let curves = figures.iter().find(|figure| figure["id"] == "energies").unwrap()["curves"].as_array().unwrap();
+    let names: Vec<&str> = curves.iter().map(|curve| curve["name"].as_str().unwrap()).collect();
+    assert!(names.len() == 15 && !names.contains(&"c3") && !names.contains(&"c4"), "{names:?}");
+    // colour and dash follow from the place
+    let places: Vec<u64> = curves.iter().map(|curve| curve["colour"].as_u64().unwrap()).collect();
+    assert_eq!(places, (0..15).collect::<Vec<u64>>());
+}
+
+#[test]
+fn points_of_a_user_never_take_the_place_of_a_point_of_the_paper() {
+    let history = "time_s,gate_speed_m_s,post_speed_m_s,tractor_speed_m_s,B_speed_m_s\n0,1,2,3,4\n0.1,1,2,3,5\n";
+    let figures = figures(&page(&summary(), history));
+    let curves = figures.iter().find(|figure| figure["id"] == "speeds").unwrap()["curves"].as_array().unwrap().clone();
+    let mut places: Vec<u64> = curves.iter().map(|curve| curve["colour"].as_u64().unwrap()).collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(places.len(), 4, "two points have one colour");
+}
+
+#[test]
+fn backquotes_of_a_warning_are_code() {
+    let mut summary = summary();
+    summary["warnings"] = json!(["raise `solve.step_fraction` <now>"]);
+    let page = page(&summary, &history());
+    assert!(page.contains("<li>raise <code>solve.step_fraction</code> &lt;now&gt;</li>"));
+}
+
+#[test]
+fn the_letters_of_the_points_are_explained_where_the_web_has_them() {
+    let mut summary = summary();
+    assert!(!page(&summary, &history()).contains("are the feature points of the paper"), "there is B alone");
+    summary["points"]["C"] = summary["points"]["B"].clone();
+    let told = "B and C are the feature points of the paper that these webs come from: B in the middle of the web, C at a corner.";
+    assert!(page(&summary, &history()).contains(told));
+    // the points of a net that its user drew have no such places
+    let folder = folder(&summary, &history());
+    fs::create_dir(folder.path().join("inputs")).unwrap();
+    fs::write(folder.path().join("inputs/scenario.toml"), "[web.graph]\nnodes = \"n.csv\"\n").unwrap();
+    let page = fs::read_to_string(write_report(folder.path()).unwrap()).unwrap();
+    assert!(!page.contains("are the feature points of the paper"));
+}

@@ -1,4 +1,4 @@
-//! A comparison as one HTML page that works offline: differing inputs, results, replays on one clock, overlaid curves.
+//! A comparison as one HTML page that works offline: replays on one clock, results, differing inputs, overlaid curves.
 //!
 //! ```text
 //!  summary.json of the comparison ──▶ tables   differences and results ─┐

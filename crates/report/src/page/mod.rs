@@ -62,16 +62,19 @@ fn sections(results: &Results, figures: &[Figure]) -> Vec<Section> {
     let summary = results.summary();
     let told = words(summary);
     let has_replay = results.scene.is_some();
-    let note = paper_points(results).map(|note| format!("<p class=\"hint below\">{note}</p>\n")).unwrap_or_default();
-    // said where the points first appear
-    let (at_replay, at_words) = if has_replay { (&note[..], "") } else { ("", &note[..]) };
+    // said where the points first appear: at the replay, which paper lacks, or else at the sentences
+    let note = |class: &str| {
+        let note = paper_points(results).map(|note| format!("<p class=\"hint below{class}\">{note}</p>\n"));
+        note.unwrap_or_default()
+    };
+    let (at_replay, at_words) = if has_replay { (note(""), note(" on-paper")) } else { (String::new(), note("")) };
     let told = if told.is_empty() { String::new() } else { format!("<ul>\n{}</ul>\n{at_words}", list_items(&told)) };
     let charts: String = figures.iter().map(|figure| figure_frame(figure.title, figure.note, figure.id)).collect();
     let charts = if charts.is_empty() { charts } else { format!("{CURVES}<div class=\"charts\">\n{charts}</div>\n") };
     let numbers = tables(&results.file);
     let numbers = if numbers.is_empty() { numbers } else { format!("<div class=\"tables\">\n{numbers}</div>\n") };
     let all = [
-        Section::new("replay", "Replay", replay_body(results) + at_replay),
+        Section::new("replay", "Replay", replay_body(results) + &at_replay),
         Section::new("words", "What happened", told),
         Section::new("postures", "Postures", postures_html(results)),
         Section::new("figures", "Curves", charts),
