@@ -71,7 +71,9 @@ pub fn run(arguments: &Arguments) -> Ended {
     }
 
     let stop = stop_on_signal()?;
+    let updates = case.schedule().count as f64 * case.model().system.segments().len() as f64;
     if !arguments.quiet
+        && updates > UPDATES_IN_AN_HOUR
         && let Some(warning) = case.expected_time_s().and_then(long_wait)
     {
         eprintln!("warning: {warning}");
@@ -96,6 +98,9 @@ pub fn run(arguments: &Arguments) -> Ended {
         None => Ok(()),
     }
 }
+
+/// Segments times steps that every machine computes in less than an hour: such a run starts at once.
+const UPDATES_IN_AN_HOUR: f64 = 1e9;
 
 /// Reads a time between checkpoints; 0 means no checkpoints.
 ///

@@ -47,6 +47,7 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
     }
     let web = add_traction(document, scenario, web)?;
     let size = Size::of_web(&web, length);
+    require_slender(document, scenario, length, per_mesh.is_some())?;
     let path = if per_mesh.is_some() { "web.square.segments_per_mesh" } else { "solve.segment_length" };
     size.require(document, path, "cut it into longer segments, or run it where there is more memory")?;
     let size = size.with_sheets(&web, scenario.canopy.as_ref());
@@ -63,6 +64,23 @@ pub fn draw(document: &Document, scenario: &mut Scenario, notes: &mut Vec<String
         };
         document.diagnostic(path, error.to_string()).into()
     })
+}
+
+/// Least length of a segment, over the diameter of its rope.
+const LEAST_SLENDERNESS: f64 = 0.01;
+
+/// Refuses segments that are far shorter than the thinnest rope is thick: a rope is no line there, and most of them are a slip
+/// of a unit that costs gigabytes and days.
+fn require_slender(document: &Document, scenario: &Scenario, length: f64, per_mesh: bool) -> Result<(), Diagnostics> {
+    let ropes = scenario.ropes.values().chain([&scenario.rope]);
+    let thinnest = ropes.map(|rope| rope.diameter.si()).fold(f64::INFINITY, f64::min);
+    if length >= LEAST_SLENDERNESS * thinnest {
+        return Ok(());
+    }
+    let path = if per_mesh { "web.square.segments_per_mesh" } else { "solve.segment_length" };
+    let message =
+        format!("segments of {length} m are less than a hundredth as long as the thinnest rope is thick, {thinnest} m");
+    Err(document.diagnostic(path, message).with_help("cut ropes into longer segments").into())
 }
 
 /// The web of its kind, without traction ropes, uncut.

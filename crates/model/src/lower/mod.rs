@@ -31,6 +31,7 @@ mod packing;
 mod places;
 mod points;
 mod prescribed;
+mod proportions;
 mod release;
 mod rope_law;
 mod scatter;

@@ -12,13 +12,14 @@ use super::drawing::two_digits;
 use super::exposure;
 use super::listed;
 use super::members::Group;
+use super::proportions;
 use super::silences;
 use super::stepping::largest_dt;
 use super::throw::{Throw, Thrown};
 
 /// Adds the notes on the model as a whole.
 pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
-    let Draft { document, scenario, cut, groups, throws, state, air, system, falls, notes, .. } = draft;
+    let Draft { document, scenario, cut, groups, throws, state, air, system, falls, bill, notes, .. } = draft;
     let Some((system, limit)) = system else { return Ok(()) };
     if scenario.measure.target_diameter.is_some() && cut.cells().is_empty() {
         notes.push("the target's coverage is not measured: drawn flat, this web's ropes enclose no cells".to_owned());
@@ -33,6 +34,8 @@ pub fn add(draft: &mut Draft) -> Result<(), Diagnostics> {
     }
     let dt = largest_dt(scenario, limit);
     let end = scenario.solve.run_time().unwrap_or(0.0);
+    let is_thrown = throws.iter().flatten().any(|throw| throw.by != Thrown::At(DVec3::ZERO));
+    notes.extend(proportions::notes(scenario, bill.as_ref(), is_thrown));
     silences::require_some_wind(document, end)?;
     notes.extend(silences::notes(document, scenario, throws, air.as_ref(), dt, end));
     Ok(())
