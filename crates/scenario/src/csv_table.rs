@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Source};
+use crate::dimension::{Kind, Measured, unit};
 use crate::interval::Interval;
 use crate::memory::available;
 use crate::nearest::nearest;
@@ -289,22 +290,27 @@ impl<'a> Cells<'a> {
         text
     }
 
-    /// The number in `column`. Reports a fault where the cell is empty or its number is not finite.
-    pub(crate) fn number(&mut self, column: &str) -> Option<f64> {
+    /// The number in `column`. Reports a fault where the cell is empty or its number is not finite or too large for its kind.
+    pub(crate) fn number(&mut self, column: &str, kind: &Kind) -> Option<f64> {
         let text = self.text(column, "a number")?;
-        self.parse(column, text, &Interval::ALL, "a number")
+        self.parse(column, text, &Interval::ALL, kind)
     }
 
     /// The number in `column`: `Some(None)` where the cell is empty, `None` after it has reported a fault.
-    pub(crate) fn optional_number(&mut self, column: &str, interval: &Interval) -> Option<Option<f64>> {
+    pub(crate) fn optional_number(&mut self, column: &str, interval: &Interval, kind: &Kind) -> Option<Option<f64>> {
         let Some(text) = self.optional_text(column) else { return Some(None) };
-        let expected = format!("a number {}", interval.describe(Default::default()));
-        self.parse(column, text, interval, expected.trim_end()).map(Some)
+        self.parse(column, text, interval, kind).map(Some)
     }
 
-    fn parse(&mut self, column: &str, text: &str, interval: &Interval, expected: &str) -> Option<f64> {
-        let number = text.parse().ok().filter(|number: &f64| number.is_finite() && interval.contains(*number));
+    fn parse(&mut self, column: &str, text: &str, interval: &Interval, kind: &Kind) -> Option<f64> {
+        let bounded = kind.bounded(interval);
+        let found: Option<f64> = text.parse().ok();
+        let number = found.filter(|number| number.is_finite() && bounded.contains(*number));
         if number.is_none() {
+            let is_huge = found.is_some_and(|number| number.abs() > kind.largest);
+            let told = if is_huge { &bounded } else { interval };
+            let expected = format!("a number {}", told.describe(Default::default()));
+            let expected = expected.trim_end();
             self.fault_in(column, format!("{column}: expected {expected}, found {text:?}"), None);
         }
         number
@@ -312,7 +318,7 @@ impl<'a> Cells<'a> {
 
     /// The position in the columns x, y, z, m.
     pub(crate) fn position(&mut self) -> Option<[f64; 3]> {
-        let [x, y, z] = ["x", "y", "z"].map(|column| self.number(column));
+        let [x, y, z] = ["x", "y", "z"].map(|column| self.number(column, unit::Metre::KIND));
         Some([x?, y?, z?])
     }
 }

@@ -1,5 +1,7 @@
 //! The kinds of quantity in a scenario, with their dimension, their SI unit and their name in messages.
 
+use std::ops::Bound;
+
 pub use crate::exponents::Dimension;
 use crate::interval::Interval;
 use crate::unit_error::UnitError;
@@ -18,6 +20,8 @@ pub struct Kind {
     pub example: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
+    /// The largest size of a value, in the SI unit: far beyond use, and small enough that sums and squares resolve it.
+    pub largest: f64,
 }
 
 /// A fault of a quantity.
@@ -111,15 +115,46 @@ impl Kind {
     }
 
     fn admit(&self, si: f64, interval: &Interval, text: String) -> Result<f64, QuantityError> {
-        if si.is_finite() && interval.contains(si) {
+        let interval = &self.own_bounds(interval);
+        if si.is_finite() && self.bounded(interval).contains(si) {
             Ok(si)
         } else {
-            Err(QuantityError::Range { expected: self.expected(interval), text })
+            // the bounds of the kind are told only to who exceeds them
+            let told = if si.abs() > self.largest { self.bounded(interval) } else { *interval };
+            Err(QuantityError::Range { expected: self.stated(&told), text })
         }
     }
 
+    /// `interval`, ended by the largest size of this kind where it has no end of its own.
+    pub const fn bounded(&self, interval: &Interval) -> Interval {
+        let lower = match interval.lower {
+            Bound::Unbounded => Bound::Included(-self.largest),
+            stated => stated,
+        };
+        let upper = match interval.upper {
+            Bound::Unbounded => Bound::Included(self.largest),
+            stated => stated,
+        };
+        Interval { lower, upper }
+    }
+
+    /// `interval` without the ends that every value of this kind has.
+    fn own_bounds(&self, interval: &Interval) -> Interval {
+        let own = |bound| match bound {
+            Bound::Included(limit) if f64::abs(limit) == self.largest => Bound::Unbounded,
+            stated => stated,
+        };
+        Interval { lower: own(interval.lower), upper: own(interval.upper) }
+    }
+
     /// What a key of this kind takes, in words, such as `a length greater than 0 such as "2.5 m"`.
+    ///
+    /// The bounds that every value of this kind has are left out.
     pub fn expected(&self, interval: &Interval) -> String {
+        self.stated(&self.own_bounds(interval))
+    }
+
+    fn stated(&self, interval: &Interval) -> String {
         let bounds = interval.describe(self.dimension);
         let space = if bounds.is_empty() { "" } else { " " };
         if self.unit.is_empty() {
@@ -137,7 +172,7 @@ pub trait Measured {
 }
 
 macro_rules! kinds {
-    ($($marker:ident: $name:literal, $article_name:literal, $unit:literal, $example:literal, $exponents:expr;)*) => {
+    ($($marker:ident: $name:literal, $article_name:literal, $unit:literal, $example:literal, $exponents:expr, $largest:expr;)*) => {
         /// Markers for [`Quantity`](crate::quantity::Quantity), each named after its SI unit.
         pub mod unit {
             use super::{Dimension, Kind, Measured};
@@ -153,6 +188,7 @@ macro_rules! kinds {
                         unit: $unit,
                         example: $example,
                         dimension: Dimension::new($exponents),
+                        largest: $largest,
                     };
                 }
             )*
@@ -162,28 +198,28 @@ macro_rules! kinds {
     };
 }
 
-// exponents of metre, kilogram, second, radian
+// exponents of metre, kilogram, second, radian; largest size
 kinds! {
-    One: "number", "a number", "", "0.5", [0, 0, 0, 0];
-    Metre: "length", "a length", "m", "2.5 m", [1, 0, 0, 0];
-    SquareMetre: "area", "an area", "m^2", "16 m^2", [2, 0, 0, 0];
-    CubicMetre: "volume", "a volume", "m^3", "0.02 m^3", [3, 0, 0, 0];
-    Kilogram: "mass", "a mass", "kg", "0.5 kg", [0, 1, 0, 0];
-    KilogramPerMetre: "linear density", "a linear density", "kg/m", "145 g/m", [-1, 1, 0, 0];
-    KilogramPerCubicMetre: "density", "a density", "kg/m^3", "1850 kg/m^3", [-3, 1, 0, 0];
-    Second: "time", "a time", "s", "0.6 s", [0, 0, 1, 0];
-    PerSecond: "rate", "a rate", "1/s", "8.3 1/s", [0, 0, -1, 0];
-    MetrePerSecond: "speed", "a speed", "m/s", "50 m/s", [1, 0, -1, 0];
-    MetrePerSquareSecond: "acceleration", "an acceleration", "m/s^2", "9.80665 m/s^2", [1, 0, -2, 0];
-    Newton: "force", "a force", "N", "12 kN", [1, 1, -2, 0];
-    NewtonPerMetre: "stiffness", "a stiffness or force per length", "N/m", "5 kN/m", [0, 1, -2, 0];
-    NewtonSquareMetre: "bending stiffness", "a bending stiffness", "N m^2", "0.02 N m^2", [3, 1, -2, 0];
-    Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0];
-    PascalSecond: "viscosity", "a viscosity", "Pa s", "0.018 mPa s", [-1, 1, -1, 0];
-    Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0];
-    Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0];
-    Radian: "angle", "an angle", "rad", "30 deg", [0, 0, 0, 1];
-    RadianPerSecond: "angular speed", "an angular speed", "rad/s", "20 rad/s", [0, 0, -1, 1];
+    One: "number", "a number", "", "0.5", [0, 0, 0, 0], 1e9;
+    Metre: "length", "a length", "m", "2.5 m", [1, 0, 0, 0], 1e6;
+    SquareMetre: "area", "an area", "m^2", "16 m^2", [2, 0, 0, 0], 1e12;
+    CubicMetre: "volume", "a volume", "m^3", "0.02 m^3", [3, 0, 0, 0], 1e15;
+    Kilogram: "mass", "a mass", "kg", "0.5 kg", [0, 1, 0, 0], 1e9;
+    KilogramPerMetre: "linear density", "a linear density", "kg/m", "145 g/m", [-1, 1, 0, 0], 1e6;
+    KilogramPerCubicMetre: "density", "a density", "kg/m^3", "1850 kg/m^3", [-3, 1, 0, 0], 1e6;
+    Second: "time", "a time", "s", "0.6 s", [0, 0, 1, 0], 1e9;
+    PerSecond: "rate", "a rate", "1/s", "8.3 1/s", [0, 0, -1, 0], 1e9;
+    MetrePerSecond: "speed", "a speed", "m/s", "50 m/s", [1, 0, -1, 0], 1e5;
+    MetrePerSquareSecond: "acceleration", "an acceleration", "m/s^2", "9.80665 m/s^2", [1, 0, -2, 0], 1e6;
+    Newton: "force", "a force", "N", "12 kN", [1, 1, -2, 0], 1e12;
+    NewtonPerMetre: "stiffness", "a stiffness or force per length", "N/m", "5 kN/m", [0, 1, -2, 0], 1e12;
+    NewtonSquareMetre: "bending stiffness", "a bending stiffness", "N m^2", "0.02 N m^2", [3, 1, -2, 0], 1e9;
+    Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0], 1e13;
+    PascalSecond: "viscosity", "a viscosity", "Pa s", "0.018 mPa s", [-1, 1, -1, 0], 1e6;
+    Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0], 1e15;
+    Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0], 1e15;
+    Radian: "angle", "an angle", "rad", "30 deg", [0, 0, 0, 1], 1e4;
+    RadianPerSecond: "angular speed", "an angular speed", "rad/s", "20 rad/s", [0, 0, -1, 1], 1e6;
 }
 
 #[cfg(test)]

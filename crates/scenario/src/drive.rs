@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Measured, unit};
 use crate::interval::{Any, NonNegative, Within};
 use crate::path::Path;
 use crate::quantity::{Length, Number, Time};
@@ -96,7 +97,7 @@ pub(crate) fn read_paths(
         let shift = Shift::beside(written, &Path::parse(&file));
         let mut before = None;
         let rows = table.rows(found, |cells| {
-            let (time, by) = (cells.optional_number("t", &Any::INTERVAL), cells.position());
+            let (time, by) = (cells.optional_number("t", &Any::INTERVAL, unit::Second::KIND), cells.position());
             let row = PathRow { time_s: shift.time(time?.unwrap_or(0.0)), displacement_m: shift.vector(by?) };
             if row.time_s < 0.0 {
                 cells.fault_in("t", format!("t: expected a time of at least 0, found {} s", row.time_s), None);

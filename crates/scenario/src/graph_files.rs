@@ -6,6 +6,7 @@ use netcast_webs::Class;
 
 use crate::csv_table::{Cells, CsvTable, Ids, MOST_FAULTS};
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Measured, unit};
 use crate::interval::{Any, NonNegative, Positive, Within};
 use crate::path::Path;
 use crate::rules::{is_plain, unknown_rope};
@@ -78,7 +79,7 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
     let nodes = nodes?.rows(found, |cells| {
         let id = ids.take(cells)?;
         let [position_m, velocity_m_s] = [cells.position(), velocity(cells)];
-        let mass = cells.optional_number("mass", &NonNegative::INTERVAL);
+        let mass = cells.optional_number("mass", &NonNegative::INTERVAL, unit::Kilogram::KIND);
         let fixed = fixed(cells)?;
         let (position_m, velocity_m_s, mass_kg) = (position_m?, velocity_m_s?, mass?.unwrap_or(0.0));
         Some(NodeRow { id, position_m, mass_kg, fixed, velocity_m_s, line: cells.line() })
@@ -98,8 +99,8 @@ pub(crate) fn read_graph(written: &Written, found: &mut Vec<Diagnostic>) -> Opti
             cells.fault_in("rope", message, Some(help));
         }
         let class = class(cells);
-        let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL);
-        let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL);
+        let rest_length = cells.optional_number("rest_length", &Positive::INTERVAL, unit::Metre::KIND);
+        let pretension = cells.optional_number("pretension", &NonNegative::INTERVAL, unit::Newton::KIND);
         if rest_length.flatten().is_some() && pretension.flatten().is_some() {
             let message = "a rest length and a pretension are two ways to say how far the rope is stretched as drawn";
             cells.fault_in("pretension", message.into(), Some("leave one of them empty".into()));
@@ -144,7 +145,8 @@ fn check_names(written: &Written, ids: &Ids, found: &mut Vec<Diagnostic>) {
 }
 
 fn velocity(cells: &mut Cells) -> Option<[f64; 3]> {
-    let [x, y, z] = ["vx", "vy", "vz"].map(|column| cells.optional_number(column, &Any::INTERVAL));
+    let speed = unit::MetrePerSecond::KIND;
+    let [x, y, z] = ["vx", "vy", "vz"].map(|column| cells.optional_number(column, &Any::INTERVAL, speed));
     Some([x?, y?, z?].map(|speed| speed.unwrap_or(0.0)))
 }
 

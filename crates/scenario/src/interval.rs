@@ -55,7 +55,11 @@ impl Interval {
 
     /// The bounds in words, such as `greater than 0`. Angles are in degrees.
     pub fn describe(&self, dimension: Dimension) -> String {
-        let limit = |si: f64| if dimension.angle == 1 { format!("{} deg", si.to_degrees()) } else { si.to_string() };
+        let limit = |si: f64| match si {
+            _ if dimension.angle == 1 => format!("{} deg", si.to_degrees()),
+            _ if si.abs() >= 1e6 => format!("{si:e}"),
+            _ => si.to_string(),
+        };
         let lower = match self.lower {
             Bound::Included(si) => Some(format!("of at least {}", limit(si))),
             Bound::Excluded(si) => Some(format!("greater than {}", limit(si))),
@@ -114,6 +118,8 @@ intervals! {
     Troposphere: Bound::Included(-1000.0), Bound::Included(11000.0);
     /// Heights above the ground at which wind profiles are valid: 0 to 2 km.
     BoundaryLayer: Bound::Included(0.0), Bound::Included(2000.0);
+    /// Heights of an orbit above its planet: 0 to 1e9 m.
+    OrbitHeight: Bound::Included(0.0), Bound::Included(1e9);
     /// Angles of more than 0 and less than 180 deg.
     HalfTurn: Bound::Excluded(0.0), Bound::Excluded(PI);
     /// Angles of more than 0 and at most 360 deg.

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Kind, Measured, unit};
 use crate::interval::{NonNegative, Positive, QuarterTurns, Splay};
 use crate::path::Path;
 use crate::quantity::{Angle, AngularSpeed, Force, Length, Number, Speed, Time};
@@ -171,8 +172,17 @@ impl Default for Scatter {
 }
 
 /// The radial speed, m/s, of a flight at this angle to the axis, rad.
-pub(crate) fn radial(axial_speed: Speed, spread: Angle<Splay>) -> Speed {
+fn radial(axial_speed: Speed, spread: Angle<Splay>) -> Speed {
     Speed::constant(axial_speed.si() * libm::tan(spread.si()))
+}
+
+/// Puts the radial speed of a tractor in the place of its spread, which is its own or that of `launch`.
+pub(crate) fn complete_tractor(tractor: &mut TractorOverride, launch: Option<&Launch>) {
+    let common = launch.and_then(|launch| launch.spread).filter(|_| tractor.radial_speed.is_none());
+    if let Some(spread) = tractor.spread.take().or(common) {
+        let axial_speed = tractor.axial_speed.or(launch.map(|launch| launch.axial_speed));
+        tractor.radial_speed = Some(radial(axial_speed.unwrap_or(Speed::constant(0.0)), spread));
+    }
 }
 
 impl Launch {
@@ -206,8 +216,8 @@ pub struct PushRow {
 
 /// Reads the file of the force in `[launch.tube]`. `None` where the scenario names none or the file cannot be read.
 pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Option<Vec<PushRow>> {
-    let tables = [("force_over_stroke", "stroke"), ("force_over_time", "time")];
-    let mut read = |(key, column): (&str, &str)| {
+    let tables = [("force_over_stroke", "stroke", unit::Metre::KIND), ("force_over_time", "time", unit::Second::KIND)];
+    let mut read = |(key, column, kind): (&str, &str, &Kind)| {
         let path = format!("launch.tube.{key}.file");
         let mut table = CsvTable::read(written, &path, &[column, "force"], &[], found)?;
         if table.is_empty() {
@@ -216,7 +226,7 @@ pub(crate) fn read_push(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
         let shift = Shift::beside(written, &Path::parse(&path));
         let mut last = None;
         Some(table.rows(found, |cells| {
-            let (at, force) = (cells.number(column), cells.number("force"));
+            let (at, force) = (cells.number(column, kind), cells.number("force", unit::Newton::KIND));
             let row = PushRow { at: shift.time(at?), force_n: shift.scale * force? };
             if row.at < 0.0 || last.is_some_and(|last| row.at <= last) {
                 cells.fault_in(

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::interval::{NonNegative, Positive};
+use crate::interval::{OrbitHeight, Positive};
 use crate::quantity::{AngularSpeed, Length};
 
 /// `[environment.orbit]`: motion relative to a circular orbit, by the equations of Clohessy & Wiltshire (1960). The
@@ -17,7 +17,7 @@ use crate::quantity::{AngularSpeed, Length};
 ))]
 pub struct Orbit {
     /// Height of the orbit above the Earth's equator, m. Give this or `mean_motion`.
-    pub altitude: Option<Length<NonNegative>>,
+    pub altitude: Option<Length<OrbitHeight>>,
     /// Mean motion of the orbit, rad/s, about any planet. Give this or `altitude`.
     pub mean_motion: Option<AngularSpeed<Positive>>,
 }

@@ -172,7 +172,7 @@ impl<U: Measured, I: Within> JsonSchema for Quantity<U, I> {
         schema.insert("x-dimension".into(), Value::from(U::KIND.name));
         schema.insert("x-unit".into(), Value::from(U::KIND.unit));
         schema.insert("examples".into(), Value::from(vec![U::KIND.example]));
-        I::INTERVAL.write_schema(&mut schema);
+        U::KIND.bounded(&I::INTERVAL).write_schema(&mut schema);
         schema.into()
     }
 }
@@ -212,9 +212,11 @@ mod tests {
     proptest::proptest! {
         #[test]
         fn a_written_quantity_reads_back_bit_for_bit(si in NORMAL | ZERO | SUBNORMAL) {
-            let length = Length::<Any>::from_si(si).unwrap();
-            let back = Length::<Any>::from_text(&length.to_string()).unwrap();
-            proptest::prop_assert_eq!(back.si().to_bits(), si.to_bits());
+            let length = Length::<Any>::constant(si);
+            match Length::<Any>::from_text(&length.to_string()) {
+                Ok(back) => proptest::prop_assert_eq!(back.si().to_bits(), si.to_bits()),
+                Err(_) => proptest::prop_assert!(si.abs() > unit::Metre::KIND.largest),
+            }
         }
     }
 }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Measured, unit};
 use crate::interval::{NonNegative, Positive};
 use crate::path::Path;
 use crate::quantity::{Force, Number, Pressure, Time};
@@ -156,8 +157,8 @@ fn read_law_file(written: &Written, path: &Path, found: &mut Vec<Diagnostic>) ->
     let unloads = table.has("unloading");
     let before = found.len();
     let rows = table.rows(found, |cells| {
-        let [strain, tension] = ["strain", "tension"].map(|column| cells.number(column));
-        let unloading = if unloads { cells.number("unloading") } else { Some(0.0) };
+        let [strain, tension] = [cells.number("strain", unit::One::KIND), cells.number("tension", unit::Newton::KIND)];
+        let unloading = if unloads { cells.number("unloading", unit::Newton::KIND) } else { Some(0.0) };
         Some([strain?, tension?, unloading?])
     });
     if found.len() > before {

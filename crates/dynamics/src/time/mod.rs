@@ -16,6 +16,7 @@
 mod any_law;
 mod blocks;
 mod dragging;
+mod failing;
 pub mod motion;
 mod passes;
 pub mod readable;

@@ -1,8 +1,6 @@
 //! Segments of a block that break. A block that does not break pays one comparison a step.
 
-use super::blocks::Ropes;
 use crate::forces::breaking::Breaking;
-use crate::system::System;
 
 /// Breaking load, N, breaking length, m, and time of the cut, s, of each slot's segment, and the least of each; (slots,).
 #[derive(Debug, Clone, Default)]
@@ -23,17 +21,6 @@ pub(super) struct Failing {
     /// N.
     pub tension: f64,
     /// Elastic energy that it held, J.
-    pub energy: f64,
-}
-
-/// A segment that breaks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BreakingSegment {
-    /// Which segment.
-    pub segment: usize,
-    /// Its tension, N, which acts for the last time.
-    pub tension: f64,
-    /// Elastic energy that it holds, J.
     pub energy: f64,
 }
 
@@ -76,16 +63,6 @@ impl Strength {
         (self.least_load, self.least_length) = (least(&self.load), least(&self.length));
         self.first_cut = least(&self.cut_at);
     }
-}
-
-/// The segments that break under the last tensions of these blocks.
-pub(super) fn failing<'r>(ropes: &'r [Ropes], system: &'r System) -> impl Iterator<Item = BreakingSegment> + use<'r> {
-    ropes.iter().zip(system.layout().blocks()).flat_map(|(ropes, plan)| {
-        let segment = |slot: usize| plan.slots[slot].segment.expect("only segments break");
-        let failure =
-            move |f: &Failing| BreakingSegment { segment: segment(f.slot), tension: f.tension, energy: f.energy };
-        ropes.failing.iter().map(failure)
-    })
 }
 
 fn least(values: &[f64]) -> f64 {

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::blocks::{KnotState, Nodes, Ropes, blocks};
+pub use super::failing::BreakingSegment;
+use super::failing::failing;
 use super::motion::Motion;
 use super::passes::AirNow;
 pub use super::passes::Vectors;
-pub use super::rupture::BreakingSegment;
-use super::rupture::failing;
 use super::start::started;
 use crate::channel::{ByChannel, Channel};
 use crate::effects::{self, EffectForces, Effects, Launching, carried_velocities};

@@ -56,7 +56,8 @@ impl Lineup {
         varied: &[String],
         reported: Option<&Path>,
     ) -> Result<Self, Diagnostics> {
-        let variants = variants(varied).map_err(Diagnostics)?;
+        let variants =
+            variants(varied, MOST).map_err(|faults| Diagnostics(faults.into_iter().map(mistake).collect()))?;
         let mut found = mistakes_of_set(files, overrides, &variants);
         let (designs, variant_of) = each_variant(files, &variants);
         let names = names(&designs, &variant_of);
@@ -165,7 +166,7 @@ fn each_variant(files: &[PathBuf], variants: &[Variant]) -> (Vec<PathBuf>, Vec<V
 }
 
 /// A mistake without a place in a file.
-pub(super) fn mistake(message: String) -> Diagnostic {
+fn mistake(message: String) -> Diagnostic {
     Diagnostic::new("", message, None)
 }
 

@@ -1,9 +1,5 @@
 //! Variants of one scenario: `path=value,value,...` as after `--vary`, and all their combinations.
 
-use netcast_scenario::Diagnostic;
-
-use super::lineup::{MOST, mistake};
-
 /// A combination of varied values: a design of each scenario.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Variant {
@@ -13,11 +9,12 @@ pub(super) struct Variant {
     pub overrides: Vec<String>,
 }
 
-/// All combinations of the values that are asked for, the last varied fastest; one without a name where none are.
+/// All combinations of the values that are asked for, at most `most`, the last varied fastest; one without a name where none
+/// are.
 ///
 /// # Errors
 /// Each text that is not a path with at least two values, and more combinations than a comparison holds.
-pub(super) fn variants(asked: &[String]) -> Result<Vec<Variant>, Vec<Diagnostic>> {
+pub(super) fn variants(asked: &[String], most: usize) -> Result<Vec<Variant>, Vec<String>> {
     let mut faults = Vec::new();
     let mut count = 1_usize;
     let mut varied = Vec::new();
@@ -26,15 +23,13 @@ pub(super) fn variants(asked: &[String]) -> Result<Vec<Variant>, Vec<Diagnostic>
             text.split_once('=').map_or((&text[..], Vec::new()), |(path, all)| (path.trim(), split(all)));
         if path.is_empty() || values.len() < 2 || values.iter().any(|value| value.is_empty()) {
             let expected = "expected a path and at least two values, such as tractor.particle.mass=60g,120g";
-            faults.push(mistake(format!("--vary {text}: {expected}")));
+            faults.push(format!("--vary {text}: {expected}"));
         }
         count = count.saturating_mul(values.len().max(1));
         varied.push((path, values));
     }
-    if count > MOST {
-        faults.push(mistake(format!(
-            "--vary asks for {count} variants of each scenario; a comparison has at most {MOST}"
-        )));
+    if count > most {
+        faults.push(format!("--vary asks for {count} variants of each scenario; a comparison has at most {most}"));
     }
     if !faults.is_empty() {
         return Err(faults);
@@ -98,14 +93,14 @@ mod tests {
     #[test]
     fn values_multiply_and_are_named_by_what_varies() {
         let asked = ["tractor.particle.mass=60g,120g", "launch.axial_speed=\"30 m/s\",40 m/s"].map(str::to_owned);
-        let found = variants(&asked).unwrap();
+        let found = variants(&asked, 12).unwrap();
         let names: Vec<&str> = found.iter().map(|variant| &variant.name[..]).collect();
         let slow_and_fast = ["axial_speed=30 m_s", "axial_speed=40 m_s"];
         let expected: Vec<String> =
             ["60g", "120g"].iter().flat_map(|m| slow_and_fast.map(|v| format!("mass={m}, {v}"))).collect();
         assert_eq!(names, expected);
         assert_eq!(found[3].overrides, ["tractor.particle.mass=120g", "launch.axial_speed=40 m/s"]);
-        assert_eq!(variants(&[]).unwrap(), [Variant::default()]);
+        assert_eq!(variants(&[], 12).unwrap(), [Variant::default()]);
     }
 
     #[test]
@@ -119,8 +114,8 @@ mod tests {
     #[test]
     fn a_single_value_no_path_and_too_many_variants_are_refused() {
         let wrong = ["a.b=1", "=1,2", "a.b", "a.b=1,,2"].map(str::to_owned);
-        assert_eq!(variants(&wrong).unwrap_err().len(), wrong.len());
+        assert_eq!(variants(&wrong, 12).unwrap_err().len(), wrong.len());
         let many = vec!["a=1,2,3,4".to_owned(), "b=1,2,3,4".to_owned()];
-        assert!(variants(&many).unwrap_err()[0].message.contains("16 variants"));
+        assert!(variants(&many, 12).unwrap_err()[0].contains("16 variants"));
     }
 }
