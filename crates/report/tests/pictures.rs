@@ -254,6 +254,33 @@ fn postures_are_eight_named_moments_in_order_of_time() {
 }
 
 #[test]
+fn a_net_that_opens_again_is_not_said_to_close() {
+    // it closes from 0.3 s to 0.36 s and opens again
+    let again = |frame: i32| {
+        if frame < 36 { 1.0 - 0.03 * f64::from((frame - 30).abs()) } else { 0.82 + 0.007 * f64::from(frame - 36) }
+    };
+    let folder = folder("A net", &(0..=60).map(again).collect::<Vec<f64>>());
+    // without other moments the sheet is filled with frames between
+    write_page_numbers(folder.path(), &json!({"opening": {"area_max_m2": 4.0, "area_max_time_s": 0.3}}));
+    write_pictures(folder.path()).unwrap();
+    let svg = svg(&folder, "postures.svg");
+    let names = texts(&svg, "name");
+    let shares = texts(&svg, "soft").into_iter().filter(|text| text.contains("of\u{a0}flat"));
+    let shares: Vec<f64> = shares.map(|text| text.split(['\u{a0}', ' ']).nth(3).unwrap().parse().unwrap()).collect();
+    assert_eq!(shares.len(), names.len());
+    let rises = |name: &str| match name {
+        "closing" => Some(false),
+        "opening" | "opening again" => Some(true),
+        _ => None,
+    };
+    for (place, name) in names.iter().enumerate() {
+        let says = rises(name);
+        assert!(says.is_none_or(|rises| rises == (shares[place] > shares[place - 1])), "{names:?} {shares:?}");
+    }
+    assert!(names.iter().any(|name| name == "opening again"), "{names:?} {shares:?}");
+}
+
+#[test]
 fn clouds_state_their_highest_tension_and_the_peak_between_frames() {
     let folder = folder("A net", &opening());
     write_pictures(folder.path()).unwrap();
