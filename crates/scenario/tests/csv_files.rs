@@ -186,3 +186,12 @@ fn lines_are_counted_through_quotes() {
     let found = wrong(SCENARIO, nodes, ROPES);
     assert_eq!(found[0], "nodes.csv:5: x: expected a number, found \"zero\"");
 }
+
+/// At 1e15 m a node that moved at 1 m/s stayed where it was, and the balance closed to 0 %.
+#[test]
+fn a_coordinate_that_no_step_can_change_is_refused() {
+    let found = wrong(SCENARIO, &NODES.replace("n2,1,0,0", "n2,1e15,0,0"), ROPES);
+    assert!(found.iter().any(|one| one.starts_with("nodes.csv:3: x: expected") && one.contains("1e6")), "{found:#?}");
+    let found = wrong(&SCENARIO.replace("diameter = \"3 mm\"", "diameter = \"1e308 m\""), NODES, ROPES);
+    assert!(found.iter().any(|one| one.contains("at most 1e6")), "{found:#?}");
+}

@@ -98,11 +98,16 @@ fn a_value_out_of_range_is_reported_with_the_range() {
         ("side = 0", "0.0"),
         ("side = -1", "-1.0"),
         ("side = nan", "NaN"),
-        ("side = inf", "inf"),
         ("side = true", "true"),
         ("side = [1]", "an array"),
     ] {
         assert_eq!(fault_after("side = \"2.5 m\"", to), format!("{expected} {found}"));
+    }
+    // beyond the largest size of its kind, the message states that too
+    for (to, found) in [("side = inf", "inf"), ("side = 2e6", "2000000.0")] {
+        assert!(
+            fault_after("side = \"2.5 m\"", to).ends_with(&format!("and at most 1e6 such as \"2.5 m\", found {found}"))
+        );
     }
     assert!(fault_after("side = \"2.5 m\"", "side = \"NaN m\"").ends_with("it does not start with a number"));
     assert!(fault_after("elevation = \"90 deg\"", "elevation = \"91 deg\"").contains("at most 90 deg"));
