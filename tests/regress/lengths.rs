@@ -16,7 +16,7 @@ fn refusal(scenario: &str, ropes: &str) -> String {
     let text = format!("[web.graph]\nnodes = \"nodes.csv\"\nropes = \"ropes.csv\"\n{ROPE}{scenario}");
     match Document::parse(Source { name: "lengths.toml".into(), text }, inputs.path(), &[]) {
         Err(refused) => refused.to_string(),
-        Ok(document) => Case::of(document).err().expect("the scenario is refused").to_string(),
+        Ok(document) => Case::of(document).expect_err("the scenario is refused").to_string(),
     }
 }
 

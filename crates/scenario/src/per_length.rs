@@ -27,10 +27,13 @@ pub(crate) fn over_section(tree: &mut Tree) {
     }
 }
 
+/// Reads a value, in SI.
+type Read = fn(&Node) -> Option<f64>;
+
 fn convert(rope: &mut Table) {
     let Some(diameter) = rope.get("diameter").and_then(read::<unit::Metre, Positive>) else { return };
     let section = 0.25 * PI * diameter * diameter;
-    let per_length: [(&str, &str, fn(&Node) -> Option<f64>); 2] = [
+    let per_length: [(&str, &str, Read); 2] = [
         ("linear_density", "density", read::<unit::KilogramPerMetre, Positive>),
         ("axial_stiffness", "elastic_modulus", read::<unit::Newton, Positive>),
     ];
