@@ -116,7 +116,7 @@ fn every_example_has_a_readme_that_says_how_to_run_it() {
     }
 }
 
-/// Each file in the folder of an example is its README, its scenario, or named by the scenario.
+/// Each file in the folder of an example is its README, its scenario, named by the scenario, or a script that the README names.
 #[test]
 fn no_example_has_an_unused_file() {
     for example in all() {
@@ -124,7 +124,9 @@ fn no_example_has_an_unused_file() {
         for entry in fs::read_dir(&example.folder).unwrap() {
             let path = entry.unwrap().path();
             let name = path.file_name().unwrap().to_string_lossy().into_owned();
-            let is_known = name == "README.md" || path == example.scenario;
+            let readme = fs::read_to_string(example.folder.join("README.md")).unwrap_or_default();
+            let is_script = name.ends_with(".sh") && readme.contains(&name);
+            let is_known = name == "README.md" || path == example.scenario || is_script;
             assert!(is_known || text.contains(&name), "{}: {name}", example.name);
         }
     }

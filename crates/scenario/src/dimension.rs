@@ -214,7 +214,7 @@ kinds! {
     Newton: "force", "a force", "N", "12 kN", [1, 1, -2, 0], 1e12;
     NewtonPerMetre: "stiffness", "a stiffness or force per length", "N/m", "5 kN/m", [0, 1, -2, 0], 1e12;
     NewtonSquareMetre: "bending stiffness", "a bending stiffness", "N m^2", "0.02 N m^2", [3, 1, -2, 0], 1e9;
-    Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0], 1e13;
+    Pascal: "pressure", "a pressure or elastic modulus", "Pa", "78 GPa", [-1, 1, -2, 0], 1e16;
     PascalSecond: "viscosity", "a viscosity", "Pa s", "0.018 mPa s", [-1, 1, -1, 0], 1e6;
     Joule: "energy", "an energy", "J", "1 kJ", [2, 1, -2, 0], 1e15;
     Watt: "power", "a power", "W", "1 kW", [2, 1, -3, 0], 1e15;

@@ -118,7 +118,7 @@ fn a_mesh_that_does_not_divide_the_side_is_reported_with_one_that_does() {
 fn too_fine_a_net_is_reported_at_the_key_that_makes_it_so() {
     assert_says(&net_with("mesh = \"0.5 m\"", "mesh = \"1 nm\""), &["web.square.mesh:", "--> net.toml:5:8"]);
     let message = net_with("segments_per_mesh = 2", "segments_per_mesh = 2000000000");
-    assert_says(&message, &["web.square.segments_per_mesh:", "--> net.toml:6:21", "at most"]);
+    assert_says(&message, &["web.square.segments_per_mesh:", "--> net.toml:6:21", "less than a hundredth"]);
 }
 
 #[test]
@@ -271,7 +271,7 @@ fn names_reserved_in_the_results_are_refused() {
 fn a_run_that_would_never_end_is_refused() {
     let message = net_with("every = \"5 ms\"", "every = 1e-12");
     assert_says(&message, &["record.every: 5.000e10 records are too many", "--> net.toml:27:9"]);
-    let message = net_with("duration = \"50 ms\"", "duration = \"1e300 s\"");
+    let message = net_with("duration = \"50 ms\"", "duration = \"1e9 s\"");
     assert_says(&message, &["solve.duration: ", "steps of", "are too many", "limits the step"]);
 }
 

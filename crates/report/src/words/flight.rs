@@ -102,10 +102,10 @@ fn is_part_of_the_web(name: &str) -> bool {
     matches!(name, "tractor" | "corner" | "centre")
 }
 
-/// Whether the web flies high enough to be said to rise: a hundredth of its width, or a centimetre.
+/// Whether the web flies high enough to be said to rise: a hundredth of its width, and a centimetre.
 fn rises(summary: &Summary, apex: f64) -> bool {
     let width = summary.opening.reference_area_m2.filter(|area| *area > 0.0).map(f64::sqrt);
-    apex >= width.map_or(0.01, |width| 0.01 * width) && is_seen(apex)
+    apex >= width.map_or(0.01, |width| f64::max(0.01, 0.01 * width)) && is_seen(apex)
 }
 
 pub(super) fn hang(summary: &Summary) -> Option<String> {

@@ -108,7 +108,9 @@ impl Folded {
 /// Rounds up to three significant digits.
 fn round_up(value: f64) -> f64 {
     let digit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
-    (value / digit).ceil() * digit
+    let rounded = (value / digit).ceil() * digit;
+    // the decimal itself, without the last bits of the product
+    format!("{rounded:.2e}").parse().unwrap_or(rounded)
 }
 
 /// The flat web, projected on its plane.
