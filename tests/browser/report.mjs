@@ -161,6 +161,8 @@ async function scrubs(page, checks) {
   checks.near("End", await time(page), duration, 0);
 
   const slider = page.locator(".replay-transport input");
+  // the replay may reach below the window
+  await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await settled(page);
